@@ -1,0 +1,32 @@
+#pragma once
+// image_io/image_io.h -- reading and writing image files. The work is done in a helper process (luminist-image), because
+// OpenImageIO loads hundreds of libraries and some hostile files abort it; this header is all that others see.
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "base/image.h"
+#include "base/result.h"
+
+namespace luminist {
+
+/// What the numbers of a file mean. kAuto: 8- and 16-bit integer files are sRGB, float files linear.
+enum class Encoding { kAuto, kLinear, kSrgb };
+
+/// Reads EXR, PNG, JPEG, TIFF, HDR... as linear floats with the file's channels (grey 1, RGB 3, RGBA 4 ...).
+/// errors kMissing; kBadContent for files that are not what they say; kLimit for sides above 32,768 or more than 2^27
+/// values, refused from the header; kChild if the helper dies or takes more than a minute.
+Result<Image> read_image(const std::string& path, Encoding encoding = Encoding::kAuto);
+
+/// The same from bytes in memory (an image inside a .glb); name is for messages.
+Result<Image> decode_image(std::string_view bytes, const std::string& name, Encoding encoding);
+
+/// Writes by extension: .exr half float, linear, ZIP; .png 8-bit sRGB (clamped). Atomic as write_file_atomic().
+/// attributes are stored as text metadata. errors kUnwritable, kUsage for an unknown extension, kChild.
+Result<void> write_image(const std::string& path, const Image& image,
+                         const std::map<std::string, std::string>& attributes = {});
+
+/// 8-bit PNG in memory. errors kChild.
+Result<std::string> encode_png(const Image& image, Encoding encoding);
+
+}  // namespace luminist

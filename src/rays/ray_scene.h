@@ -1,0 +1,37 @@
+#pragma once
+// rays/ray_scene.h -- who sees whom: exact visibility on the scene's triangles (Embree).
+#include <memory>
+#include <span>
+
+#include "base/math.h"
+#include "base/result.h"
+#include "scene/scene.h"
+
+namespace luminist {
+
+/// A segment from `from` to `to`, world space; it is blocked by anything strictly between its ends.
+struct Segment {
+  Vec3 from;
+  Vec3 to;
+};
+
+/// The triangles of a scene, indexed. Copies what it needs. Movable. thread any, const calls are concurrent.
+class RaySceneImpl;
+class RayScene {
+ public:
+  /// errors kLimit if memory runs out.
+  static Result<RayScene> create(const Scene& scene);
+  RayScene(RayScene&&) noexcept;
+  RayScene& operator=(RayScene&&) noexcept;
+  ~RayScene();
+
+  /// blocked [segments.size()] := 1 where something lies between, else 0. Same input, same bits.
+  /// Non-finite segments are not blocked. cost about 30 ns a segment and core on 70k triangles.
+  void occluded(std::span<const Segment> segments, std::span<unsigned char> blocked) const;
+
+ private:
+  explicit RayScene(std::unique_ptr<RaySceneImpl> impl);
+  std::unique_ptr<RaySceneImpl> impl_;
+};
+
+}  // namespace luminist

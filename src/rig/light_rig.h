@@ -1,0 +1,53 @@
+#pragma once
+// rig/light_rig.h -- the lights of a shot.
+#include <string>
+#include <vector>
+
+#include "base/math.h"
+#include "params/param_block.h"
+#include "rig/light_type.h"
+#include "scene/scene.h"
+
+namespace luminist {
+
+struct Light {
+  std::string name;  ///< unique in the rig
+  std::string type;  ///< a LightType's name
+  std::string group;
+  bool muted = false;
+  ParamBlock params;
+};
+
+struct LightRig {
+  ParamBlock ambient;
+  std::vector<Light> lights;
+  std::string shadow_light;  ///< all lights use this light's shadow map; empty: each its own
+
+  [[nodiscard]] Light* find(const std::string& name);
+  [[nodiscard]] const Light* find(const std::string& name) const;
+  /// "name", or "name-2", "name-3"... if it is taken.
+  [[nodiscard]] std::string unused_name(const std::string& wanted) const;
+};
+
+/// No lights, the ambient's default. thread any.
+LightRig empty_rig(const LightTypes& types, const SceneFrame& frame);
+
+/// A light with its type's defaults. errors kUsage for an unknown type (with the nearest name).
+Result<Light> make_light(const LightTypes& types, const std::string& type, const std::string& name,
+                         const SceneFrame& frame);
+
+/// A rig file: TOML, `shadow_light`, [ambient], [[light]] tables with name, type, group, muted and the parameters by
+/// their manifest names; `unlocked = ["color", ...]` where a saved rig differs from the schema's own choice.
+/// errors kMissing; kBadContent at path:line:col with the nearest valid key, kBadContent for two lights of one name.
+Result<LightRig> load_rig(const std::string& path, const LightTypes& types, const SceneFrame& frame);
+Result<LightRig> parse_rig(const std::string& toml, const std::string& path, const LightTypes& types,
+                           const SceneFrame& frame);
+/// The same file, by hand readable; numbers written so that they read back to the same bits.
+std::string rig_to_toml(const LightRig& rig);
+Result<void> save_rig(const LightRig& rig, const std::string& path);
+
+/// Lights of a glTF scene as cinematic (spot, sun) and point lights. A sun stands two scene diameters away.
+Result<std::vector<Light>> from_punctual(const std::vector<PunctualLight>& lights, const LightTypes& types,
+                                         const SceneFrame& frame);
+
+}  // namespace luminist

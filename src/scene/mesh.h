@@ -1,0 +1,30 @@
+#pragma once
+// scene/mesh.h -- triangles with what shading needs.
+#include <array>
+#include <cstdint>
+#include <vector>
+
+#include "base/math.h"
+
+namespace luminist {
+
+/// Indexed triangles. normals has the size of positions (always filled after loading); uvs and tangents are empty or
+/// of the same size. Front faces wind counter-clockwise.
+struct Mesh {
+  std::vector<Vec3> positions;
+  std::vector<Vec3> normals;   ///< unit
+  std::vector<Vec2> uvs;       ///< v = 0 at the top row of the texture, as in glTF
+  std::vector<Vec4> tangents;  ///< unit xyz, w = sign of the bitangent, as in glTF
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+
+  [[nodiscard]] Box bounds() const;
+};
+
+/// Fills normals: angle-weighted over the triangles around a position, apart where they meet at more than crease_angle
+/// (radians; kPi joins all). May split vertices; uvs follow. cost O(triangles).
+void compute_normals(Mesh& mesh, double crease_angle);
+
+/// Fills tangents from uvs and normals (zero-area uv triangles get any tangent). Does nothing without uvs.
+void compute_tangents(Mesh& mesh);
+
+}  // namespace luminist
