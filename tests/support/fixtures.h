@@ -36,9 +36,9 @@ Error error_of(const Result<T>& result) {
 }  // namespace luminist
 
 /// Declares a variable from a Result, or fails the test with the error's message.
-#define LUM_ASSERT_OK(declaration, expression)                                                     \
-  auto LUM_CONCAT(lum_ok_, __LINE__) = (expression);                                               \
-  ASSERT_TRUE(LUM_CONCAT(lum_ok_, __LINE__)) << LUM_CONCAT(lum_ok_, __LINE__).error().message();   \
+#define LUM_ASSERT_OK(declaration, expression)                                                   \
+  auto LUM_CONCAT(lum_ok_, __LINE__) = (expression);                                             \
+  ASSERT_TRUE(LUM_CONCAT(lum_ok_, __LINE__)) << LUM_CONCAT(lum_ok_, __LINE__).error().message(); \
   declaration = std::move(LUM_CONCAT(lum_ok_, __LINE__)).value()
 #define LUM_EXPECT_OK(expression)                                                \
   do {                                                                           \
