@@ -21,17 +21,23 @@ struct Image {
   Image(int width_px, int height_px, int channel_count, float fill = 0.0F);
 
   [[nodiscard]] bool empty() const { return data.empty(); }
-  [[nodiscard]] std::size_t pixels() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
+  [[nodiscard]] std::size_t pixels() const {
+    return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  }
   [[nodiscard]] std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
   }
   [[nodiscard]] bool same_size(const Image& other) const { return width == other.width && height == other.height; }
-  float& at(int x, int y, int c) { return data[index(x, y) * static_cast<std::size_t>(channels) + static_cast<std::size_t>(c)]; }
+  float& at(int x, int y, int c) {
+    return data[index(x, y) * static_cast<std::size_t>(channels) + static_cast<std::size_t>(c)];
+  }
   [[nodiscard]] float at(int x, int y, int c) const {
     return data[index(x, y) * static_cast<std::size_t>(channels) + static_cast<std::size_t>(c)];
   }
   /// The pixel of a three-channel image by linear index.
-  [[nodiscard]] Vec3 rgb(std::size_t pixel) const { return {data[pixel * 3], data[pixel * 3 + 1], data[pixel * 3 + 2]}; }
+  [[nodiscard]] Vec3 rgb(std::size_t pixel) const {
+    return {data[pixel * 3], data[pixel * 3 + 1], data[pixel * 3 + 2]};
+  }
   void set_rgb(std::size_t pixel, const Vec3& color) {
     data[pixel * 3] = color.x, data[pixel * 3 + 1] = color.y, data[pixel * 3 + 2] = color.z;
   }

@@ -38,7 +38,9 @@ struct SceneFrame {
   float radius = 1.0F;  ///< half the diagonal of the bounds, > 0
 };
 
-inline bool is_finite(const Vec3& v) { return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z); }
+inline bool is_finite(const Vec3& v) {
+  return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
 
 /// Two unit vectors that complete n (unit) to a right-handed frame; continuous except at n = -z (Duff et al. 2017).
 inline void tangent_frame(const Vec3& n, Vec3& t, Vec3& b) {

@@ -9,18 +9,18 @@ namespace luminist {
 
 /// Why an operation failed. The number is the exit status of the command line.
 enum class ErrorKind {
-  kUsage = 2,          ///< the caller's words are off
-  kBadContent = 3,     ///< an input was read and makes no sense
-  kMissing = 4,        ///< an input is not there
-  kUnwritable = 5,     ///< an output cannot be written
-  kGl = 6,             ///< OpenGL is missing, too old or lost
-  kLimit = 7,          ///< a limit or the memory is exhausted
-  kNothingToDo = 8,    ///< no paint, everything locked
-  kNumerical = 9,      ///< the solver failed numerically
-  kStyle = 10,         ///< a style's manifest or GLSL is wrong
-  kProject = 11,       ///< a project is locked or of a newer version
-  kChild = 12,         ///< a helper process died
-  kCancelled = 130,    ///< the user stopped it
+  kUsage = 2,        ///< the caller's words are off
+  kBadContent = 3,   ///< an input was read and makes no sense
+  kMissing = 4,      ///< an input is not there
+  kUnwritable = 5,   ///< an output cannot be written
+  kGl = 6,           ///< OpenGL is missing, too old or lost
+  kLimit = 7,        ///< a limit or the memory is exhausted
+  kNothingToDo = 8,  ///< no paint, everything locked
+  kNumerical = 9,    ///< the solver failed numerically
+  kStyle = 10,       ///< a style's manifest or GLSL is wrong
+  kProject = 11,     ///< a project is locked or of a newer version
+  kChild = 12,       ///< a helper process died
+  kCancelled = 130,  ///< the user stopped it
 };
 
 /// One failure, as the user should read it.
@@ -78,15 +78,13 @@ class [[nodiscard]] Result<void> {
 #define LUM_CONCAT(a, b) LUM_CONCAT_INNER(a, b)
 
 /// LUM_TRY(auto bytes, read_file(path)); declares bytes, or returns the error to the caller.
-#define LUM_TRY(declaration, expression)                                     \
-  auto LUM_CONCAT(lum_try_, __LINE__) = (expression);                        \
-  if (!LUM_CONCAT(lum_try_, __LINE__))                                       \
-    return std::move(LUM_CONCAT(lum_try_, __LINE__)).error();                \
+#define LUM_TRY(declaration, expression)                                                         \
+  auto LUM_CONCAT(lum_try_, __LINE__) = (expression);                                            \
+  if (!LUM_CONCAT(lum_try_, __LINE__)) return std::move(LUM_CONCAT(lum_try_, __LINE__)).error(); \
   declaration = std::move(LUM_CONCAT(lum_try_, __LINE__)).value() /* NOLINT */
 
 /// The same for a Result<void>.
-#define LUM_TRY_VOID(expression)                                 \
-  do {                                                           \
-    if (auto lum_try_result = (expression); !lum_try_result)     \
-      return std::move(lum_try_result).error();                  \
+#define LUM_TRY_VOID(expression)                                                                       \
+  do {                                                                                                 \
+    if (auto lum_try_result = (expression); !lum_try_result) return std::move(lum_try_result).error(); \
   } while (false)
