@@ -9,7 +9,8 @@
 
 namespace luminist {
 
-/// A segment from `from` to `to`, world space; it is blocked by anything strictly between its ends.
+/// A segment from `from` to `to`, world space; it is blocked by anything strictly between its ends (what lies within
+/// 1e-5 of its length of an end belongs to that end: that is where single precision can no longer tell).
 struct Segment {
   Vec3 from;
   Vec3 to;

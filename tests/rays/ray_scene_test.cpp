@@ -1,0 +1,100 @@
+#include "rays/ray_scene.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "support/fixtures.h"
+
+namespace luminist {
+namespace {
+
+/// A square of half side `half` in the plane z = 0 of its object, and where it stands.
+Scene square_scene(float half, const Mat4& world_from_object) {
+  Scene scene;
+  Mesh mesh;
+  mesh.positions = {{-half, -half, 0.0F}, {half, -half, 0.0F}, {half, half, 0.0F}, {-half, half, 0.0F}};
+  mesh.normals.assign(4, Vec3(0.0F, 0.0F, 1.0F));
+  mesh.triangles = {{0, 1, 2}, {0, 2, 3}};
+  scene.meshes.push_back(mesh);
+  scene.materials.emplace_back();
+  Object object;
+  object.world_from_object = world_from_object;
+  scene.objects.push_back(object);
+  return scene;
+}
+
+unsigned char blocked(const RayScene& rays, const Vec3& from, const Vec3& to) {
+  const Segment segment{from, to};
+  unsigned char answer = 2;
+  rays.occluded({&segment, 1}, {&answer, 1});
+  return answer;
+}
+
+TEST(RayScene, BlocksWhatCrossesATriangleAndNothingElse) {
+  LUM_ASSERT_OK(const RayScene rays, RayScene::create(square_scene(1.0F, Mat4(1.0F))));
+  EXPECT_EQ(blocked(rays, {0.2F, 0.1F, 1.0F}, {0.2F, 0.1F, -1.0F}), 1);
+  EXPECT_EQ(blocked(rays, {0.2F, 0.1F, -1.0F}, {0.2F, 0.1F, 1.0F}), 1) << "from the back as well";
+  EXPECT_EQ(blocked(rays, {1.2F, 0.1F, 1.0F}, {1.2F, 0.1F, -1.0F}), 0) << "passes beside it";
+  EXPECT_EQ(blocked(rays, {0.2F, 0.1F, 2.0F}, {0.2F, 0.1F, 1.0F}), 0) << "ends before it";
+}
+
+TEST(RayScene, DoesNotCountSurfacesAtTheEndsOfASegment) {
+  LUM_ASSERT_OK(const RayScene rays, RayScene::create(square_scene(1.0F, Mat4(1.0F))));
+  EXPECT_EQ(blocked(rays, {0.2F, 0.1F, 3.0F}, {0.3F, 0.1F, 0.0F}), 0);
+  EXPECT_EQ(blocked(rays, {0.2F, 0.1F, 0.0F}, {0.3F, 0.1F, 3.0F}), 0);
+}
+
+TEST(RayScene, PlacesObjectsInTheWorld) {
+  Mat4 lifted(1.0F);
+  lifted[3] = Vec4(5.0F, 0.0F, 2.0F, 1.0F);
+  LUM_ASSERT_OK(const RayScene rays, RayScene::create(square_scene(1.0F, lifted)));
+  EXPECT_EQ(blocked(rays, {0.0F, 0.0F, 4.0F}, {0.0F, 0.0F, -4.0F}), 0);
+  EXPECT_EQ(blocked(rays, {5.0F, 0.0F, 4.0F}, {5.0F, 0.0F, -4.0F}), 1);
+  EXPECT_EQ(blocked(rays, {5.0F, 0.0F, 1.0F}, {5.0F, 0.0F, -4.0F}), 0);
+}
+
+TEST(RayScene, TakesSegmentsThatAreNotFiniteOrHaveNoLengthAsFree) {
+  LUM_ASSERT_OK(const RayScene rays, RayScene::create(square_scene(1.0F, Mat4(1.0F))));
+  const float nan = std::numeric_limits<float>::quiet_NaN();
+  const float infinity = std::numeric_limits<float>::infinity();
+  EXPECT_EQ(blocked(rays, {0.0F, 0.0F, nan}, {0.0F, 0.0F, -1.0F}), 0);
+  EXPECT_EQ(blocked(rays, {0.0F, 0.0F, 1.0F}, {0.0F, 0.0F, -infinity}), 0);
+  EXPECT_EQ(blocked(rays, {0.0F, 0.0F, 1.0F}, {0.0F, 0.0F, 1.0F}), 0);
+}
+
+TEST(RayScene, AnEmptySceneBlocksNothing) {
+  LUM_ASSERT_OK(const RayScene rays, RayScene::create(Scene{}));
+  EXPECT_EQ(blocked(rays, {0.0F, 0.0F, 1.0F}, {0.0F, 0.0F, -1.0F}), 0);
+}
+
+TEST(RayScene, AgreesWithThePlaneForManyRandomSegmentsAndRepeatsItsBits) {
+  LUM_ASSERT_OK(const RayScene rays, RayScene::create(square_scene(1.0F, Mat4(1.0F))));
+  std::mt19937 random(7);
+  std::uniform_real_distribution<float> coordinate(-2.0F, 2.0F);
+  std::vector<Segment> segments(1003);  // not a multiple of the packet
+  for (Segment& s : segments) {
+    s.from = {coordinate(random), coordinate(random), coordinate(random)};
+    s.to = {coordinate(random), coordinate(random), coordinate(random)};
+  }
+  std::vector<unsigned char> first(segments.size());
+  std::vector<unsigned char> again(segments.size());
+  rays.occluded(segments, first);
+  rays.occluded(segments, again);
+  EXPECT_EQ(first, again);
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    const Vec3 a = segments[i].from;
+    const Vec3 b = segments[i].to;
+    const float t = a.z / (a.z - b.z);
+    const Vec3 hit = a + t * (b - a);
+    const float rim = std::max(std::abs(hit.x), std::abs(hit.y));
+    if (std::abs(rim - 1.0F) < 1e-4F || std::abs(t) < 1e-4F || std::abs(t - 1.0F) < 1e-4F)
+      continue;  // rounding decides
+    EXPECT_EQ(first[i], t > 0.0F && t < 1.0F && rim < 1.0F ? 1 : 0) << "segment " << i;
+  }
+}
+
+}  // namespace
+}  // namespace luminist
