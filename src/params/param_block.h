@@ -2,6 +2,7 @@
 // params/param_block.h -- the values of one schema, one lock per degree of freedom. The bytes are the value.
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -10,9 +11,14 @@
 
 namespace luminist {
 
+/// A direction as blocks store it: the vector itself where its length is 1 up to rounding (so that a stored one keeps
+/// its bits), otherwise normalized; nothing for a zero or non-finite vector.
+std::optional<Vec3> unit_direction(const Vec3& vector);
+
 class ParamBlock {
  public:
   /// Defaults of the schema; lengths scaled by the frame. Degrees of freedom are unlocked where the schema says solve.
+  /// The schema is not null.
   ParamBlock(std::shared_ptr<const ParamSchema> schema, const SceneFrame& frame);
 
   [[nodiscard]] const ParamSchema& schema() const { return *schema_; }
@@ -23,10 +29,12 @@ class ParamBlock {
 
   /// One stored number (float precision; int, bool and choice as their number).
   [[nodiscard]] double get(int param, int component = 0) const;
+  /// Rounds for an int; a bool is true unless 0. A choice's index must exist (LUM_CHECK).
   void set(int param, int component, double value);
   [[nodiscard]] float scalar(int param) const { return static_cast<float>(get(param)); }
   [[nodiscard]] Vec2 vec2(int param) const;
   [[nodiscard]] Vec3 vec3(int param) const;
+  /// Stores the three numbers as they are; whoever sets a direction gives a unit vector.
   void set_vec3(int param, const Vec3& value);
 
   [[nodiscard]] bool locked(int dof) const { return locked_[static_cast<std::size_t>(dof)]; }
