@@ -1,0 +1,81 @@
+#pragma once
+// raster/deep_framebuffer.h -- what one camera sees, kept for shading it again and again (paper, section 6.1).
+#include <cstddef>
+#include <cstdint>
+
+#include "base/files.h"
+#include "base/result.h"
+#include "gpu/device.h"
+#include "gpu/gl_buffer.h"
+#include "raster/mesh_buffers.h"
+#include "render/surface_buffer.h"
+#include "scene/scene.h"
+
+namespace luminist {
+
+/// The visible surface as a list of samples, in storage buffers of one vec4 per sample (std430).
+///
+/// Samples 0 .. width*height-1 are the pixel centres, row 0 on top. After them come four samples for each edge pixel:
+/// a pixel in which objects, normals, depths or albedos differ so much that one sample would alias. Shading runs over
+/// sample_count() samples, and the colour of a pixel is that of its centre, or the mean of its four edge samples.
+///
+///   position  xyz world, w = uintBitsToFloat(1 + object index); w = 0: nothing is there and all is zero
+///   normal    xyz unit shading normal that faces the eye, w = uintBitsToFloat(1 + material index)
+///   albedo    rgb diffuse reflectance = base colour * (1 - metallic), w = roughness
+///   specular  rgb reflectance at normal incidence = mix(0.04, base colour, metallic), w = 0
+///   emissive  rgb radiance, w = 0
+///   edge_of_pixel  uint per pixel: index of its group of four samples, or kNoEdge; group e starts at sample
+///                  width*height + 4 e
+///
+/// The centres are drawn by a pass of their own, exactly at the pixel centres, because brushes and the solver work on
+/// them; four more passes of the same size, shifted by the rotated grid below, give the edge samples. Passes at full
+/// size, unlike one of twice the size, filter textures alike for centres and edges, and the rotated grid gives an
+/// edge of any slope five grey levels where 2 x 2 would give three.
+class DeepFramebuffer {
+ public:
+  static constexpr std::uint32_t kNoEdge = 0xffffffffU;
+  static constexpr int kEdgeSamples = 4;
+  /// Where the samples of an edge pixel lie, in pixels from its centre; x to the right, y down.
+  static constexpr float kEdgeOffsets[kEdgeSamples][2] = {
+      {-0.125F, -0.375F}, {0.375F, -0.125F}, {-0.375F, 0.125F}, {0.125F, 0.375F}};
+
+  /// width, height in pixels. errors kLimit if they exceed the device's textures or storage blocks, or memory runs out;
+  /// kMissing, kStyle if the shaders are damaged. cost five passes over the triangles, once per camera.
+  static Result<DeepFramebuffer> create(Device& device, const AssetRoots& roots, const MeshBuffers& meshes,
+                                        const Scene& scene, const Camera& camera, int width, int height);
+
+  [[nodiscard]] int width() const { return surface_.width; }
+  [[nodiscard]] int height() const { return surface_.height; }
+  [[nodiscard]] std::size_t pixel_count() const { return surface_.pixels(); }
+  [[nodiscard]] std::size_t edge_count() const { return edge_count_; }  ///< pixels with edge samples
+  [[nodiscard]] std::size_t sample_count() const { return pixel_count() + kEdgeSamples * edge_count_; }
+  [[nodiscard]] const Vec3& eye() const { return surface_.eye; }
+  /// Unique among what its device made; caches compare it.
+  [[nodiscard]] std::uint64_t id() const { return id_; }
+
+  [[nodiscard]] const GlBuffer& position() const { return position_; }
+  [[nodiscard]] const GlBuffer& normal() const { return normal_; }
+  [[nodiscard]] const GlBuffer& albedo() const { return albedo_; }
+  [[nodiscard]] const GlBuffer& specular() const { return specular_; }
+  [[nodiscard]] const GlBuffer& emissive() const { return emissive_; }
+  [[nodiscard]] const GlBuffer& edge_of_pixel() const { return edge_of_pixel_; }
+
+  /// The pixel centres, on the CPU.
+  [[nodiscard]] const SurfaceBuffer& surface() const { return surface_; }
+
+ private:
+  DeepFramebuffer() = default;
+  void read_surface(const Scene& scene, const Vec3& eye);
+
+  std::uint64_t id_ = 0;
+  std::size_t edge_count_ = 0;
+  GlBuffer position_;
+  GlBuffer normal_;
+  GlBuffer albedo_;
+  GlBuffer specular_;
+  GlBuffer emissive_;
+  GlBuffer edge_of_pixel_;
+  SurfaceBuffer surface_;
+};
+
+}  // namespace luminist

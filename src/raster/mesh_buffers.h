@@ -1,0 +1,52 @@
+#pragma once
+// raster/mesh_buffers.h -- a scene's triangles in graphics memory, shared by whatever draws them.
+#include <cstdint>
+#include <vector>
+
+#include "base/math.h"
+#include "gpu/device.h"
+#include "gpu/gl_buffer.h"
+#include "gpu/gl_vertex_array.h"
+#include "scene/scene.h"
+
+namespace luminist {
+
+/// One object of the scene as a range of the index buffer.
+struct MeshDraw {
+  std::uint32_t object = 0;    ///< index into Scene::objects
+  std::uint32_t material = 0;  ///< index into Scene::materials
+  GLsizei index_count = 0;
+  std::size_t index_offset = 0;  ///< bytes
+  GLint base_vertex = 0;
+  Mat4 world_from_object{1.0F};
+};
+
+/// Every mesh once, however many objects show it. Triangles are stored so that they wind counter-clockwise around their
+/// vertex normals, whichever way the file had them; triangles with an index out of range are left out.
+class MeshBuffers {
+ public:
+  /// errors kLimit if graphics memory runs out. cost O(vertices + triangles), once per scene.
+  static Result<MeshBuffers> create(Device& device, const Scene& scene);
+
+  [[nodiscard]] const std::vector<MeshDraw>& draws() const { return draws_; }
+  [[nodiscard]] const Box& bounds() const { return bounds_; }  ///< world, with backdrops
+
+  /// Inputs 0: position vec3, 1: normal vec3, 2: uv vec2, 3: tangent vec4 (zero without tangents).
+  void bind_full() const { full_.bind(); }
+  /// Input 0: position vec3, tightly packed.
+  void bind_positions() const { positions_only_.bind(); }
+  /// Draws one object with the array that is bound.
+  void draw(const MeshDraw& draw) const;
+
+ private:
+  MeshBuffers() = default;
+  GlBuffer positions_;
+  GlBuffer attributes_;
+  GlBuffer indices_;
+  GlVertexArray full_;
+  GlVertexArray positions_only_;
+  std::vector<MeshDraw> draws_;
+  Box bounds_;
+};
+
+}  // namespace luminist

@@ -1,0 +1,53 @@
+#pragma once
+// raster/shadow_light.h -- what the shadows of a light depend on, and the geometry of their filter. Maps (on the GPU)
+// and rays (on the CPU) both follow it, so that they see the same shadows. No GL here.
+#include <vector>
+
+#include "base/math.h"
+#include "rig/light_rig.h"
+#include "rig/light_type.h"
+
+namespace luminist {
+
+/// Equal values, equal shadows. Made by shadow_light().
+struct ShadowLight {
+  ShadowKind kind = ShadowKind::kNone;  ///< kNone: everything is lit
+  Vec3 position{0.0F};                  ///< world
+  Vec3 direction{0.0F, 0.0F, -1.0F};    ///< unit; of a kSpot
+  float extent = 1.0F;                  ///< the map covers tangents of angles up to this, to each side
+  float softness = 0.01F;               ///< radius of the filter, tangent of the angle seen from the light
+  int size_px = 256;                    ///< texels along a side of the map
+
+  bool operator==(const ShadowLight&) const = default;
+  /// A texel's width at distance 1 on the map's axis.
+  [[nodiscard]] float texel() const { return 2.0F * extent / static_cast<float>(size_px); }
+};
+
+/// Reads the roles position, direction, shape and size. A light whose position or direction is not finite is kNone.
+/// The extent is rounded up in steps, so that a small change of the shape keeps the map; the size is the power of two
+/// at which the filter's radius is two to four texels, within 256 .. 2048 (the filter is widened if 2048 is too few).
+ShadowLight shadow_light(const Light& light, const LightTypes& types);
+
+/// One per light of the rig, in its order. Where the rig names a shadow_light, all equal that one's.
+std::vector<ShadowLight> shadow_lights(const LightRig& rig, const LightTypes& types);
+
+/// How far a receiver is pushed along its normal before it is compared, world units: about one texel and a half,
+/// growing with the slope, so that a surface does not shadow itself. distance from the light; cosine between the normal
+/// and the way to the light.
+float receiver_offset(const ShadowLight& light, float distance, float cosine);
+
+/// position pushed along normal (unit) by receiver_offset().
+Vec3 shadow_receiver(const ShadowLight& light, const Vec3& position, const Vec3& normal);
+
+/// A tap of the filter: the point that must be seen from the light. `receiver` from shadow_receiver(), `disc` in the
+/// unit disc; the taps lie on the receiver's tangent plane (up to a steepest slope), in a cone of tangent softness
+/// around the way from the light. visibility = mean over the disc of "nothing between the light and the tap".
+Vec3 shadow_tap(const ShadowLight& light, const Vec3& receiver, const Vec3& normal, const Vec2& disc);
+
+/// Whether the map sees the receiver at all; what it does not see is lit.
+bool shadow_covers(const ShadowLight& light, const Vec3& receiver);
+
+/// Point i of n of a sunflower (Vogel) disc: equal areas, no rows.
+Vec2 vogel_disc(int i, int n);
+
+}  // namespace luminist
