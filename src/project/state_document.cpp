@@ -1,0 +1,130 @@
+#include "project/state_document.h"
+
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "params/param_text.h"
+
+namespace luminist {
+namespace {
+
+using Json = nlohmann::json;
+
+Error wrong(const std::string& path, const std::string& what) {
+  return {ErrorKind::kBadContent, what, "", path, "undo the change, or restore the project from a copy"};
+}
+
+void write_block(const std::string& path, const ParamBlock& block, Document& document) {
+  const ParamSchema& schema = block.schema();
+  for (int param = 0; param < schema.size(); ++param) {
+    const ParamSpec& spec = schema[param];
+    document.set(path + "/" + spec.name, param_to_json(block, param).dump());
+    if (spec.dofs() == 0) continue;
+    Json locks = Json::array();
+    for (int dof = 0; dof < spec.dofs(); ++dof) locks.push_back(block.locked(spec.first_dof + dof));
+    document.set(fmt::format("locks/{}/{}", path, spec.name), locks.dump());
+  }
+}
+
+/// A direction is stored as it is: normalizing a unit vector again can change its last bit.
+Result<void> read_direction(const Json& value, const std::string& path, ParamBlock& block, int param) {
+  if (!value.is_array() || value.size() != 3) return wrong(path, "three numbers are wanted");
+  for (int component = 0; component < 3; ++component) {
+    const Json& number = value[static_cast<std::size_t>(component)];
+    if (!number.is_number()) return wrong(path, "three numbers are wanted");
+    block.set(param, component, number.get<double>());
+  }
+  return {};
+}
+
+Result<void> read_locks(const Document& document, const std::string& path, ParamBlock& block, const ParamSpec& spec) {
+  const Json locks = Json::parse(document.get(path), nullptr, false);
+  if (!locks.is_array() || locks.size() != static_cast<std::size_t>(spec.dofs())) {
+    return wrong(path, fmt::format("{} booleans are wanted", spec.dofs()));
+  }
+  for (int dof = 0; dof < spec.dofs(); ++dof) {
+    const Json& locked = locks[static_cast<std::size_t>(dof)];
+    if (!locked.is_boolean()) return wrong(path, "booleans are wanted");
+    block.set_locked(spec.first_dof + dof, locked.get<bool>());
+  }
+  return {};
+}
+
+/// What the document does not hold keeps its default: a style may have gained a parameter since.
+Result<void> read_block(const Document& document, const std::string& path, ParamBlock& block) {
+  for (int param = 0; param < block.schema().size(); ++param) {
+    const ParamSpec& spec = block.schema()[param];
+    const std::string value_path = path + "/" + spec.name;
+    if (document.has(value_path)) {
+      const Json value = Json::parse(document.get(value_path), nullptr, false);
+      auto set = spec.type == ParamType::kDirection ? read_direction(value, value_path, block, param)
+                                                    : param_from_json(block, param, value);
+      if (!set) return wrong(value_path, set.error().what);
+    }
+    const std::string lock_path = "locks/" + value_path;
+    if (spec.dofs() > 0 && document.has(lock_path)) LUM_TRY_VOID(read_locks(document, lock_path, block, spec));
+  }
+  return {};
+}
+
+Result<std::string> text_at(const Document& document, const std::string& path) {
+  const Json value = Json::parse(document.get(path), nullptr, false);
+  if (!value.is_string()) return wrong(path, "a string is wanted");
+  return value.get<std::string>();
+}
+
+Result<Light> read_light(const Document& document, const std::string& name, const LightTypes& types,
+                         const SceneFrame& frame) {
+  const std::string path = "lights/" + name;
+  LUM_TRY(const std::string type, text_at(document, path + "/@type"));
+  LUM_TRY(Light light, make_light(types, type, name, frame));
+  LUM_TRY(light.group, text_at(document, path + "/@group"));
+  light.muted = document.get(path + "/@muted") == "true";
+  LUM_TRY_VOID(read_block(document, path, light.params));
+  return light;
+}
+
+}  // namespace
+
+void write_state(const ParamState& state, Document& document) {
+  Json names = Json::array();
+  for (const Light& light : state.rig.lights) names.push_back(light.name);
+  const Json present = Json::parse(document.get("rig/lights"), nullptr, false);
+  for (const Json& name : present.is_array() ? present : Json::array()) {
+    if (!name.is_string() || state.rig.find(name.get<std::string>()) != nullptr) continue;
+    document.erase_below(fmt::format("lights/{}/", name.get<std::string>()));
+    document.erase_below(fmt::format("locks/lights/{}/", name.get<std::string>()));
+  }
+  document.set("rig/lights", names.dump());
+  document.set("rig/shadow_light", Json(state.rig.shadow_light).dump());
+  for (const Light& light : state.rig.lights) {
+    const std::string path = "lights/" + light.name;
+    document.set(path + "/@type", Json(light.type).dump());
+    document.set(path + "/@group", Json(light.group).dump());
+    document.set(path + "/@muted", Json(light.muted).dump());
+    write_block(path, light.params, document);
+  }
+  write_block("ambient", state.rig.ambient, document);
+  write_block("style", state.style, document);
+}
+
+Result<ParamState> read_state(const Document& document, const LightTypes& types, const Style& style,
+                              const SceneFrame& frame) {
+  ParamState state = initial_state(types, style, frame);
+  const Json names = Json::parse(document.get("rig/lights"), nullptr, false);
+  if (!names.is_array()) return wrong("rig/lights", "an array of names is wanted");
+  for (const Json& name : names) {
+    if (!name.is_string()) return wrong("rig/lights", "an array of names is wanted");
+    LUM_TRY(Light light, read_light(document, name.get<std::string>(), types, frame));
+    state.rig.lights.push_back(std::move(light));
+  }
+  LUM_TRY(state.rig.shadow_light, text_at(document, "rig/shadow_light"));
+  LUM_TRY_VOID(read_block(document, "ambient", state.rig.ambient));
+  LUM_TRY_VOID(read_block(document, "style", state.style));
+  return state;
+}
+
+}  // namespace luminist

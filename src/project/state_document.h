@@ -1,0 +1,18 @@
+#pragma once
+// project/state_document.h -- the rig, the style's parameters and all locks as paths of a document.
+#include "project/document.h"
+#include "render/param_state.h"
+
+namespace luminist {
+
+/// Paths: "rig/lights" (names in order), "rig/shadow_light", "lights/NAME/@type", "@group", "@muted",
+/// "lights/NAME/PARAM", "ambient/PARAM", "style/PARAM", and "locks/..." of each of these: one boolean per degree of
+/// freedom. Values are exact: what is read back has the same bits. Paths of other kinds stay as they are, but lights
+/// that are not in the state are erased.
+void write_state(const ParamState& state, Document& document);
+
+/// errors kBadContent naming the path; kUsage for an unknown light type.
+Result<ParamState> read_state(const Document& document, const LightTypes& types, const Style& style,
+                              const SceneFrame& frame);
+
+}  // namespace luminist
