@@ -12,6 +12,7 @@
 #include "base/check.h"
 #include "base/files.h"
 #include "base/image.h"
+#include "params/param_values.h"
 
 namespace luminist {
 namespace {
@@ -20,54 +21,6 @@ std::string_view trimmed(std::string_view text) {
   const std::size_t first = text.find_first_not_of(" \t");
   if (first == std::string_view::npos) return {};
   return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
-
-/// What a user may write for a parameter.
-std::string wanted_form(const ParamSpec& spec) {
-  switch (spec.type) {
-    case ParamType::kFloat:
-      return "give a number, as 0.3";
-    case ParamType::kInt:
-      return "give a whole number";
-    case ParamType::kBool:
-      return "give true or false";
-    case ParamType::kVec2:
-      return "give 2 numbers, as 0.3,0.1";
-    case ParamType::kVec3:
-      return "give 3 numbers, as 0.3,0.3,0.1";
-    case ParamType::kColor:
-      return "give 3 linear numbers, as 1,0.8,0.6, or #rrggbb";
-    case ParamType::kDirection:
-      return "give 3 numbers that are not all 0, as 0,-1,0";
-    case ParamType::kChoice:
-      return fmt::format("give one of {}", fmt::join(spec.choices, ", "));
-  }
-  return "";
-}
-
-/// The numbers of a value that has as many as the parameter and of its kind; nothing otherwise.
-std::optional<std::vector<double>> fitting(const ParamSpec& spec, std::vector<double> values) {
-  if (values.size() != static_cast<std::size_t>(spec.components())) return std::nullopt;
-  constexpr double kLargest = std::numeric_limits<float>::max();
-  if (!std::all_of(values.begin(), values.end(), [](double v) { return std::abs(v) <= kLargest; })) return std::nullopt;
-  if (spec.type == ParamType::kInt && values[0] != std::floor(values[0])) return std::nullopt;
-  if (spec.type == ParamType::kDirection) {
-    const auto unit = unit_direction(
-        Vec3(static_cast<float>(values[0]), static_cast<float>(values[1]), static_cast<float>(values[2])));
-    if (!unit) return std::nullopt;
-    for (int c = 0; c < 3; ++c) values[static_cast<std::size_t>(c)] = static_cast<double>((*unit)[c]);
-  }
-  return values;
-}
-
-void store(ParamBlock& block, int param, const std::vector<double>& values) {
-  for (std::size_t c = 0; c < values.size(); ++c) block.set(param, static_cast<int>(c), values[c]);
-}
-
-std::optional<std::vector<double>> choice_index(const ParamSpec& spec, std::string_view name) {
-  const auto hit = std::find(spec.choices.begin(), spec.choices.end(), name);
-  if (hit == spec.choices.end()) return std::nullopt;
-  return std::vector{static_cast<double>(hit - spec.choices.begin())};
 }
 
 /// "#rrggbb" as linear numbers.
@@ -168,13 +121,10 @@ Result<void> set_from_text(ParamBlock& block, std::string_view name, std::string
                                  : fmt::format("did you mean \"{}\"?", nearest)};
   }
   const ParamSpec& spec = block.schema()[*param];
-  auto values = values_from_text(spec, trimmed(text));
-  if (values) values = fitting(spec, std::move(*values));
-  if (!values) {
+  if (!store_values(block, *param, values_from_text(spec, trimmed(text)))) {
     return Error{ErrorKind::kUsage, fmt::format("\"{}\" is no value for a {}", text, type_name(spec.type)), "",
                  std::string(name), wanted_form(spec)};
   }
-  store(block, *param, *values);
   return {};
 }
 
@@ -191,13 +141,10 @@ nlohmann::json param_to_json(const ParamBlock& block, int param) {
 
 Result<void> param_from_json(ParamBlock& block, int param, const nlohmann::json& value) {
   const ParamSpec& spec = block.schema()[param];
-  auto values = values_from_json(spec, value);
-  if (values) values = fitting(spec, std::move(*values));
-  if (!values) {
+  if (!store_values(block, param, values_from_json(spec, value))) {
     return Error{ErrorKind::kBadContent, fmt::format("{} is no value for a {}", value.dump(), type_name(spec.type)), "",
                  spec.name, wanted_form(spec)};
   }
-  store(block, param, *values);
   return {};
 }
 
@@ -222,7 +169,11 @@ double shortest_double(float value) {
 std::string number_text(double value) {
   std::array<char, 32> digits{};
   const auto written = std::to_chars(digits.data(), digits.data() + digits.size(), value);
-  return {digits.data(), written.ptr};
+  std::string text(digits.data(), written.ptr);
+  // A long row of digits would be read as an integer, which overflows, and an integer has no negative zero.
+  const bool whole = text.find_first_not_of("-0123456789") == std::string::npos;
+  if (whole && (std::abs(value) >= 1e15 || (value == 0.0 && std::signbit(value)))) text += ".0";
+  return text;
 }
 
 std::optional<double> parse_number(std::string_view text) {

@@ -23,7 +23,9 @@ struct ParamState {
 };
 
 /// Index of a light's block in blocks(), from its index in the rig.
-inline int light_block(int light) { return light + 1; }
+inline int light_block(int light) {
+  return light + 1;
+}
 
 /// An empty rig and the style's defaults; every degree of freedom of ambient and style locked as the schemas say.
 ParamState initial_state(const LightTypes& types, const Style& style, const SceneFrame& frame);

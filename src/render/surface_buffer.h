@@ -14,17 +14,19 @@ namespace luminist {
 struct SurfaceBuffer {
   int width = 0;
   int height = 0;
-  Vec3 eye{0.0F};                       ///< camera position, world
-  std::vector<Vec3> position;           ///< world
-  std::vector<Vec3> normal;             ///< unit, shading normal, faces the eye
-  std::vector<Vec3> albedo;             ///< diffuse reflectance, linear
-  std::vector<Vec3> specular;           ///< reflectance at normal incidence
-  std::vector<float> roughness;         ///< GGX alpha = roughness^2
-  std::vector<std::uint32_t> object;    ///< 1 + index of the scene's object
-  std::vector<std::uint32_t> material;  ///< 1 + index of the scene's material
+  Vec3 eye{0.0F};                         ///< camera position, world
+  std::vector<Vec3> position;             ///< world
+  std::vector<Vec3> normal;               ///< unit, shading normal, faces the eye
+  std::vector<Vec3> albedo;               ///< diffuse reflectance, linear
+  std::vector<Vec3> specular;             ///< reflectance at normal incidence
+  std::vector<float> roughness;           ///< GGX alpha = roughness^2
+  std::vector<std::uint32_t> object;      ///< 1 + index of the scene's object
+  std::vector<std::uint32_t> material;    ///< 1 + index of the scene's material
   std::vector<std::string> object_names;  ///< [object id]; entry 0 is ""
 
-  [[nodiscard]] std::size_t pixels() const { return static_cast<std::size_t>(width) * static_cast<std::size_t>(height); }
+  [[nodiscard]] std::size_t pixels() const {
+    return static_cast<std::size_t>(width) * static_cast<std::size_t>(height);
+  }
   [[nodiscard]] std::size_t index(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x);
   }

@@ -10,9 +10,9 @@ namespace luminist {
 
 /// All of one size. Pixels that are not finite count as importance 0 (see sanitize()).
 struct Target {
-  Image color;                       ///< T: 3 channels, linear RGB
-  Image before;                      ///< the picture under the paint, 3 channels
-  Image importance;                  ///< I: 1 channel, >= 0
+  Image color;                        ///< T: 3 channels, linear RGB
+  Image before;                       ///< the picture under the paint, 3 channels
+  Image importance;                   ///< I: 1 channel, >= 0
   std::vector<std::uint32_t> stroke;  ///< [pixels] 1 + index of the last stroke that touched it; 0: unpainted
 };
 
@@ -22,7 +22,8 @@ struct SanitizeReport {
   int first_y = -1;
 };
 
-/// Masks pixels that cannot be compared: colour becomes that of `before` (0 if that is not finite either), importance 0.
+/// Masks pixels that cannot be compared: colour becomes that of `before` (0 if that is not finite either), importance
+/// 0.
 SanitizeReport sanitize(Target& target);
 
 }  // namespace luminist

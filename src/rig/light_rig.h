@@ -1,6 +1,7 @@
 #pragma once
 // rig/light_rig.h -- the lights of a shot.
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/math.h"
@@ -29,10 +30,14 @@ struct LightRig {
   [[nodiscard]] std::string unused_name(const std::string& wanted) const;
 };
 
+/// Whether a text can name a light or a group: 1 to 255 bytes without control characters, '/', '*', '=' and ':', which
+/// mean something in the paths of parameters.
+bool is_light_name(std::string_view name);
+
 /// No lights, the ambient's default. thread any.
 LightRig empty_rig(const LightTypes& types, const SceneFrame& frame);
 
-/// A light with its type's defaults. errors kUsage for an unknown type (with the nearest name).
+/// A light with its type's defaults. errors kUsage for an unknown type (with the nearest name) or a bad name.
 Result<Light> make_light(const LightTypes& types, const std::string& type, const std::string& name,
                          const SceneFrame& frame);
 
@@ -42,11 +47,16 @@ Result<Light> make_light(const LightTypes& types, const std::string& type, const
 Result<LightRig> load_rig(const std::string& path, const LightTypes& types, const SceneFrame& frame);
 Result<LightRig> parse_rig(const std::string& toml, const std::string& path, const LightTypes& types,
                            const SceneFrame& frame);
-/// The same file, by hand readable; numbers written so that they read back to the same bits.
+/// The same file, by hand readable; numbers written so that they read back to the same bits, in any locale.
 std::string rig_to_toml(const LightRig& rig);
+/// errors kUnwritable; kNumerical for a number that is not finite.
 Result<void> save_rig(const LightRig& rig, const std::string& path);
 
-/// Lights of a glTF scene as cinematic (spot, sun) and point lights. A sun stands two scene diameters away.
+/// Lights of a glTF scene: spots and suns as cinematic lights, points as point lights. A spot or point keeps its
+/// position; its falloff is quadratic and its colour such that a white diffuser that faces it at the scene's centre has
+/// the radiance I / (pi d^2). A sun stands two scene diameters away, without falloff, its barn around the scene, its
+/// colour E / pi. Names are made unique, characters that a name cannot hold become '_'.
+/// errors kUsage if there are no cinematic or point lights.
 Result<std::vector<Light>> from_punctual(const std::vector<PunctualLight>& lights, const LightTypes& types,
                                          const SceneFrame& frame);
 

@@ -22,15 +22,15 @@ struct StyleMetric {
 /// One golden picture: a shot, rendered and compared with golden/<name>.exr by two numbers and the reason for them.
 struct GoldenCase {
   std::string name;
-  std::string scene;              ///< relative to an asset root
-  std::string rig;                ///< relative to an asset root; empty for an empty rig
-  std::string camera;             ///< empty: the first
+  std::string scene;   ///< relative to an asset root
+  std::string rig;     ///< relative to an asset root; empty for an empty rig
+  std::string camera;  ///< empty: the first
   int width = 256;
   int height = 256;
-  std::vector<std::string> set;   ///< "path=value"
-  double max_difference = 0.0;    ///< of any channel, absolute below 1 and relative above
+  std::vector<std::string> set;  ///< "path=value"
+  double max_difference = 0.0;   ///< of any channel, absolute below 1 and relative above
   double mean_difference = 0.0;
-  std::string reason;             ///< why these two numbers; required
+  std::string reason;  ///< why these two numbers; required
 };
 
 struct Style {
@@ -45,7 +45,8 @@ struct Style {
 };
 
 /// Reads styles/<name>/style.toml: `doc`, `shade` (the GLSL file), `lights = "sum" | "joint"`, [metric] `blur`,
-/// [[param]], [[golden]]. errors kStyle at path:line:col with the nearest valid key; kMissing with the styles there are.
+/// [[param]], [[golden]]. errors kStyle at path:line:col with the nearest valid key; kMissing with the styles there
+/// are.
 Result<Style> load_style(const AssetRoots& roots, const std::string& name);
 
 /// The names of all styles, sorted.

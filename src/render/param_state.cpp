@@ -1,0 +1,171 @@
+#include "render/param_state.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "base/check.h"
+#include "base/files.h"
+#include "params/param_text.h"
+
+namespace luminist {
+namespace {
+
+constexpr std::string_view kGroupPrefix = "group:";
+
+/// Whether the whole text matches a pattern in which '*' stands for any run of characters.
+bool matches(std::string_view pattern, std::string_view text) {
+  std::size_t p = 0;
+  std::size_t t = 0;
+  std::size_t star = std::string_view::npos;  // the last '*', and the text that it has swallowed
+  std::size_t swallowed = 0;
+  while (t < text.size()) {
+    if (p < pattern.size() && pattern[p] == '*') {
+      star = p++;
+      swallowed = t;
+    } else if (p < pattern.size() && pattern[p] == text[t]) {
+      ++p, ++t;
+    } else if (star != std::string_view::npos) {
+      p = star + 1;
+      t = ++swallowed;
+    } else {
+      return false;
+    }
+  }
+  return pattern.find_first_not_of('*', p) == std::string_view::npos;
+}
+
+/// The names that a block's parameters may have before their '/': its path, and its group for a light.
+std::vector<std::string> block_prefixes(const ParamState& state, std::size_t block) {
+  std::vector<std::string> prefixes = {state.block_paths()[block]};
+  if (block > 0 && block <= state.rig.lights.size()) {
+    const std::string& group = state.rig.lights[block - 1].group;
+    if (!group.empty()) prefixes.push_back(std::string(kGroupPrefix) + group);
+  }
+  return prefixes;
+}
+
+bool any_matches(std::string_view pattern, const std::vector<std::string>& prefixes, const std::string& name) {
+  return std::any_of(prefixes.begin(), prefixes.end(),
+                     [&](const std::string& prefix) { return matches(pattern, prefix + '/' + name); });
+}
+
+std::string nearest_hint(std::string_view word, const std::vector<std::string>& names, std::string_view otherwise) {
+  const std::string nearest = nearest_name(word, names);
+  return nearest.empty() ? std::string(otherwise) : fmt::format("did you mean \"{}\"?", nearest);
+}
+
+/// Paths of all parameters. with_dofs: those that can be locked, with the single degrees of freedom.
+std::vector<std::string> param_paths(const ParamState& state, bool with_dofs) {
+  const std::vector<std::string> paths = state.block_paths();
+  const std::vector<const ParamBlock*> blocks = state.blocks();
+  std::vector<std::string> names;
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    for (const ParamSpec& spec : blocks[b]->schema().specs()) {
+      if (with_dofs && spec.dofs() == 0) continue;
+      names.push_back(paths[b] + '/' + spec.name);
+      for (int c = 0; with_dofs && spec.dofs() > 1 && c < spec.dofs(); ++c) {
+        names.push_back(paths[b] + '/' + dof_name(spec, c));
+      }
+    }
+  }
+  return names;
+}
+
+Error unmatched(const ParamState& state, std::string_view pattern) {
+  const std::vector<std::string> all = param_paths(state, false);
+  const bool known =
+      std::any_of(all.begin(), all.end(), [&](const std::string& path) { return matches(pattern, path); });
+  return {
+      ErrorKind::kUsage,
+      known ? fmt::format("\"{}\" has no degree of freedom", pattern) : fmt::format("\"{}\" matches nothing", pattern),
+      "", std::string(pattern),
+      nearest_hint(pattern, param_paths(state, true),
+                   "write a path as lights/NAME/color, group:NAME/color or style/*")};
+}
+
+}  // namespace
+
+std::vector<ParamBlock*> ParamState::blocks() {
+  std::vector<ParamBlock*> list = {&rig.ambient};
+  for (Light& light : rig.lights) list.push_back(&light.params);
+  list.push_back(&style);
+  return list;
+}
+
+std::vector<const ParamBlock*> ParamState::blocks() const {
+  std::vector<const ParamBlock*> list = {&rig.ambient};
+  for (const Light& light : rig.lights) list.push_back(&light.params);
+  list.push_back(&style);
+  return list;
+}
+
+std::vector<std::string> ParamState::block_paths() const {
+  std::vector<std::string> list = {"ambient"};
+  for (const Light& light : rig.lights) list.push_back("lights/" + light.name);
+  list.emplace_back("style");
+  return list;
+}
+
+ParamState initial_state(const LightTypes& types, const Style& style, const SceneFrame& frame) {
+  return {empty_rig(types, frame), ParamBlock(style.schema, frame)};
+}
+
+Result<void> set_path(ParamState& state, std::string_view assignment) {
+  const std::size_t equals = assignment.find('=');
+  if (equals == std::string_view::npos) {
+    return Error{ErrorKind::kUsage, fmt::format("\"{}\" sets nothing", assignment), "", std::string(assignment),
+                 "write PATH=VALUE, as lights/key/color=1,0.8,0.6"};
+  }
+  const std::string_view path = assignment.substr(0, equals);
+  const std::size_t slash = path.rfind('/');
+  const std::vector<std::string> prefixes = state.block_paths();
+  const auto block = slash == std::string_view::npos
+                         ? prefixes.end()
+                         : std::find(prefixes.begin(), prefixes.end(), path.substr(0, slash));
+  if (block != prefixes.end()) {
+    ParamBlock& params = *state.blocks()[static_cast<std::size_t>(block - prefixes.begin())];
+    const std::string_view name = path.substr(slash + 1);
+    if (params.schema().find(name)) {
+      auto done = set_from_text(params, name, assignment.substr(equals + 1));
+      if (done) return {};
+      Error error = std::move(done).error();
+      error.field = path;
+      return error;
+    }
+  }
+  return Error{ErrorKind::kUsage, fmt::format("there is no parameter \"{}\"", path), "", std::string(path),
+               nearest_hint(path, param_paths(state, false), "write a path as lights/NAME/color or style/NAME")};
+}
+
+Result<int> set_locked(ParamState& state, std::string_view pattern, bool locked) {
+  int count = 0;
+  const std::vector<ParamBlock*> blocks = state.blocks();
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    const std::vector<std::string> prefixes = block_prefixes(state, b);
+    for (const ParamSpec& spec : blocks[b]->schema().specs()) {
+      const bool whole = any_matches(pattern, prefixes, spec.name);
+      for (int c = 0; c < spec.dofs(); ++c) {
+        if (!whole && !any_matches(pattern, prefixes, dof_name(spec, c))) continue;
+        blocks[b]->set_locked(spec.first_dof + c, locked);
+        ++count;
+      }
+    }
+  }
+  if (count == 0) return unmatched(state, pattern);
+  return count;
+}
+
+std::vector<std::string> dof_names(const ParamState& state, const UnitMap& map) {
+  const std::vector<std::string> paths = state.block_paths();
+  const std::vector<const ParamBlock*> blocks = state.blocks();
+  std::vector<std::string> names;
+  for (const Dof& dof : map.list()) {
+    LUM_CHECK(dof.block >= 0 && static_cast<std::size_t>(dof.block) < blocks.size(), "the map is one of this state");
+    const auto block = static_cast<std::size_t>(dof.block);
+    names.push_back(paths[block] + '/' + dof_name(blocks[block]->schema()[dof.param], dof.component));
+  }
+  return names;
+}
+
+}  // namespace luminist
