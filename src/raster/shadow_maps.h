@@ -1,6 +1,7 @@
 #pragma once
 // raster/shadow_maps.h -- who is seen by each light: shadow maps, and their filtered lookup for every sample.
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -50,6 +51,8 @@ class ShadowMaps {
   explicit ShadowMaps(Device& device, const MeshBuffers& meshes) : device_(&device), meshes_(&meshes) {}
   Result<Map> draw_map(const ShadowLight& light);
   Result<const Map*> map_of(const ShadowLight& light);
+  /// Sizes visibility_ and slots_, keeping what is still right.
+  Result<void> make_room(const DeepFramebuffer& deep, std::size_t lights);
   void look_up(const DeepFramebuffer& deep, const Map& map, std::size_t slot);
 
   Device* device_;
@@ -60,7 +63,7 @@ class ShadowMaps {
   std::vector<Map> maps_;
   GlBuffer visibility_;
   std::uint64_t deep_id_ = 0;
-  std::vector<ShadowLight> slots_;  ///< the lights whose visibility the buffer holds
+  std::vector<std::optional<ShadowLight>> slots_;  ///< the lights whose visibility the buffer holds
   std::uint64_t maps_drawn_ = 0;
   double lookups_ = 0.0;
 };

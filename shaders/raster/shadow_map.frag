@@ -1,0 +1,2 @@
+// A shadow map keeps depth alone.
+void main() {}

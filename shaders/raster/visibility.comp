@@ -1,0 +1,68 @@
+// The share of a light's filter that reaches each sample: percentage-closer filtering of one light's depth map. The
+// geometry is that of src/raster/shadow_light.cpp, which rays follow too.
+layout(std430, binding = 0) readonly buffer Position { uvec4 position[]; };
+layout(std430, binding = 1) readonly buffer Normal { vec4 normal[]; };
+layout(std430, binding = 2) writeonly buffer Visibility { float visibility[]; };
+
+layout(binding = 0) uniform sampler2DArrayShadow depth_map;  // near / distance along the view's axis
+
+const float kLeastCosine = 0.1;
+const int kMostTaps = 64;
+
+uniform uint sample_count;
+uniform uint first;  // index of the light's first visibility
+uniform vec3 light_position;
+uniform mat3 views[6];  // right, up and axis of each view as rows
+uniform bool cube;
+uniform float near_plane;
+uniform float extent;    // tangent that a view covers to each side
+uniform float softness;  // tangent of the filter's radius
+uniform float texel;     // width of a texel at distance 1
+uniform vec2 disc[kMostTaps];
+uniform int taps;
+
+int view_towards(vec3 way) {
+  if (!cube) return 0;
+  vec3 a = abs(way);
+  if (a.x >= a.y && a.x >= a.z) return way.x > 0.0 ? 0 : 1;
+  if (a.y >= a.z) return way.y > 0.0 ? 2 : 3;
+  return way.z > 0.0 ? 4 : 5;
+}
+
+float lit_share(vec3 p, vec3 n) {
+  vec3 to_light = light_position - p;
+  float distance_there = length(to_light);
+  float cosine = dot(to_light, n) / max(distance_there, 1e-20);
+  float sine = sqrt(max(0.0, 1.0 - cosine * cosine));
+  vec3 way = p + n * (distance_there * texel * (0.75 + 0.75 * sine)) - light_position;
+
+  int layer = view_towards(way);
+  mat3 view = views[layer];
+  vec3 seen = view * way;
+  if (!(seen.z > 0.0) || max(abs(seen.x), abs(seen.y)) > seen.z * extent) return 1.0;
+
+  // The filter's disc lies across the way from the light; its taps are moved along their rays onto the receiver's plane.
+  float reach = length(seen);
+  vec3 axis = seen / reach;
+  vec3 right = normalize(vec3(1.0, 0.0, 0.0) - axis * axis.x);
+  vec3 up = cross(axis, right);
+  vec3 facing = view * n;
+  float steepness = softness / max(-dot(axis, facing), kLeastCosine);
+  vec2 slope = steepness * vec2(dot(right, facing), dot(up, facing));
+
+  float lit = 0.0;
+  for (int i = 0; i < taps; ++i) {
+    vec3 tap = axis + softness * (disc[i].x * right + disc[i].y * up);
+    float depth = near_plane / (reach * clamp(1.0 + dot(slope, disc[i]), 0.5, 2.0) * tap.z);
+    vec2 uv = 0.5 + 0.5 * tap.xy / (tap.z * extent);
+    lit += texture(depth_map, vec4(uv, float(layer), depth));
+  }
+  return lit / float(taps);
+}
+
+void main() {
+  uint index = linear_index();
+  if (index >= sample_count) return;
+  uvec4 p = position[index];
+  visibility[first + index] = p.w == 0u ? 1.0 : lit_share(uintBitsToFloat(p.xyz), normal[index].xyz);
+}

@@ -1,0 +1,126 @@
+#include "raster/mesh_buffers.h"
+
+#include <limits>
+#include <span>
+#include <utility>
+
+#include "base/check.h"
+
+namespace luminist {
+namespace {
+
+/// What a vertex has besides its position. The order is that of shaders/raster/deep.vert.
+struct VertexAttributes {
+  Vec3 normal;
+  Vec2 uv{0.0F};
+  Vec4 tangent{0.0F};
+};
+
+/// Where a mesh lies in the common buffers.
+struct MeshRange {
+  GLint base_vertex = 0;
+  std::size_t first_index = 0;
+  std::size_t index_count = 0;
+};
+
+/// The vertices and triangles of all meshes, one after the other.
+struct Lists {
+  std::vector<Vec3> positions;
+  std::vector<VertexAttributes> attributes;
+  std::vector<std::uint32_t> indices;
+};
+
+void append_triangles(const Mesh& mesh, std::vector<std::uint32_t>& indices) {
+  const std::size_t count = mesh.positions.size();
+  for (const auto& [a, b, c] : mesh.triangles) {
+    if (a >= count || b >= count || c >= count) continue;
+    const Vec3 face = glm::cross(mesh.positions[b] - mesh.positions[a], mesh.positions[c] - mesh.positions[a]);
+    const bool turned = glm::dot(face, mesh.normals[a] + mesh.normals[b] + mesh.normals[c]) < 0.0F;
+    indices.insert(indices.end(), {a, turned ? c : b, turned ? b : c});
+  }
+}
+
+MeshRange append(const Mesh& mesh, Lists& lists) {
+  LUM_CHECK(mesh.normals.size() == mesh.positions.size(), "loading fills normals");
+  MeshRange range;
+  range.base_vertex = static_cast<GLint>(lists.positions.size());
+  range.first_index = lists.indices.size();
+  lists.positions.insert(lists.positions.end(), mesh.positions.begin(), mesh.positions.end());
+  for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
+    VertexAttributes vertex{mesh.normals[i]};
+    if (!mesh.uvs.empty()) vertex.uv = mesh.uvs[i];
+    if (!mesh.tangents.empty()) vertex.tangent = mesh.tangents[i];
+    lists.attributes.push_back(vertex);
+  }
+  append_triangles(mesh, lists.indices);
+  range.index_count = lists.indices.size() - range.first_index;
+  return range;
+}
+
+/// Whether some object shows the mesh with a normal texture and the mesh cannot say yet how the texture lies on it.
+bool needs_tangents(const Scene& scene, int mesh_index) {
+  const Mesh& mesh = scene.meshes[static_cast<std::size_t>(mesh_index)];
+  if (!mesh.tangents.empty() || mesh.uvs.empty()) return false;
+  for (const Object& object : scene.objects) {
+    const Material& material = scene.materials[static_cast<std::size_t>(object.material)];
+    if (object.mesh == mesh_index && material.normal_texture >= 0) return true;
+  }
+  return false;
+}
+
+MeshRange append_mesh(const Scene& scene, int mesh_index, Lists& lists) {
+  const Mesh& mesh = scene.meshes[static_cast<std::size_t>(mesh_index)];
+  if (!needs_tangents(scene, mesh_index)) return append(mesh, lists);
+  Mesh copy = mesh;
+  compute_tangents(copy);
+  return append(copy, lists);
+}
+
+}  // namespace
+
+Result<MeshBuffers> MeshBuffers::create(Device& device, const Scene& scene) {
+  Lists lists;
+  std::vector<MeshRange> ranges;
+  for (int i = 0; i < static_cast<int>(scene.meshes.size()); ++i) ranges.push_back(append_mesh(scene, i, lists));
+  if (lists.positions.size() > std::numeric_limits<GLint>::max()) {
+    return Error{ErrorKind::kLimit, "the scene has too many vertices for the graphics device", "", "", ""};
+  }
+
+  MeshBuffers meshes;
+  meshes.bounds_ = scene.bounds(true);
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    const Object& object = scene.objects[i];
+    const MeshRange& range = ranges[static_cast<std::size_t>(object.mesh)];
+    meshes.draws_.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(object.material),
+                             static_cast<GLsizei>(range.index_count), range.first_index * sizeof(std::uint32_t),
+                             range.base_vertex, object.world_from_object});
+  }
+
+  const auto vertex_buffer = [&device](const auto& values, const char* label) {
+    return GlBuffer::create(device, BufferUse::kVertex, std::span(values), label);
+  };
+  LUM_TRY(meshes.positions_, vertex_buffer(std::as_const(lists.positions), "vertex positions"));
+  LUM_TRY(meshes.attributes_, vertex_buffer(std::as_const(lists.attributes), "vertex attributes"));
+  LUM_TRY(meshes.indices_, vertex_buffer(std::as_const(lists.indices), "triangles"));
+
+  meshes.positions_only_ = GlVertexArray::create(device, "positions");
+  meshes.full_ = GlVertexArray::create(device, "vertices");
+  for (GlVertexArray* array : {&meshes.positions_only_, &meshes.full_}) {
+    array->set_vertices(0, meshes.positions_, sizeof(Vec3));
+    array->set_attribute(0, 0, 3, 0);
+    array->set_indices(meshes.indices_);
+  }
+  meshes.full_.set_vertices(1, meshes.attributes_, sizeof(VertexAttributes));
+  meshes.full_.set_attribute(1, 1, 3, offsetof(VertexAttributes, normal));
+  meshes.full_.set_attribute(2, 1, 2, offsetof(VertexAttributes, uv));
+  meshes.full_.set_attribute(3, 1, 4, offsetof(VertexAttributes, tangent));
+  return meshes;
+}
+
+void MeshBuffers::draw(const MeshDraw& draw) const {
+  if (draw.index_count == 0) return;
+  glDrawElementsBaseVertex(GL_TRIANGLES, draw.index_count, GL_UNSIGNED_INT,
+                           reinterpret_cast<const void*>(draw.index_offset), draw.base_vertex);
+}
+
+}  // namespace luminist

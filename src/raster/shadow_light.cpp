@@ -1,0 +1,133 @@
+#include "raster/shadow_light.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <optional>
+
+namespace luminist {
+namespace {
+
+constexpr float kLeastExtent = 0.05F;  // 3 degrees
+constexpr float kMostExtent = 4.0F;    // 76 degrees
+constexpr float kLeastSoftness = 1e-4F;
+constexpr float kMostSoftness = 0.5F;
+constexpr int kLeastSize = 256;
+constexpr int kMostSize = 2048;
+constexpr float kLeastRadius = 2.0F;  // of the filter, in texels
+
+/// The steepest receiver that the filter follows (cosine); steeper ones are nearly black anyway.
+constexpr float kLeastCosine = 0.1F;
+
+/// Half the side of a square map that covers the light's shape whichever way it is turned: a superellipse of degree 4
+/// with half axes w, h reaches (w^4 + h^4)^(1/4) from its centre.
+float extent_of(const ParamBlock& params) {
+  const std::optional<int> shape = params.schema().by_role("shape");
+  if (!shape) return kMostExtent;
+  const int components = params.schema()[*shape].components();
+  const auto number = [&](int component) {
+    return component < components ? static_cast<float>(params.get(*shape, component)) : 0.0F;
+  };
+  const float edge = std::max(number(2), 0.0F);
+  const float w = std::max(number(0), 0.0F) + edge;
+  const float h = components > 1 ? std::max(number(1), 0.0F) + edge : w;
+  const float reach = std::sqrt(std::hypot(w * w, h * h));
+  if (!std::isfinite(reach)) return kMostExtent;
+  // Steps of the square root of two: a small change of the shape keeps the map and all that was looked up in it.
+  const float stepped = std::exp2(0.5F * std::ceil(2.0F * std::log2(std::max(reach, kLeastExtent))));
+  return std::clamp(stepped, kLeastExtent, kMostExtent);
+}
+
+float softness_of(const ParamBlock& params) {
+  const std::optional<int> size = params.schema().by_role("size");
+  const float softness = size ? params.scalar(*size) : ShadowLight{}.softness;
+  return std::isfinite(softness) ? std::clamp(softness, kLeastSoftness, kMostSoftness) : ShadowLight{}.softness;
+}
+
+/// Chooses the map's size for the filter, and widens the filter if the largest map is too coarse for it.
+void fit_size(ShadowLight& light) {
+  const float texels = std::ceil(kLeastRadius * 2.0F * light.extent / light.softness);
+  const auto wanted = static_cast<unsigned>(std::clamp(texels, 1.0F, static_cast<float>(kMostSize)));
+  light.size_px = std::clamp(static_cast<int>(std::bit_ceil(wanted)), kLeastSize, kMostSize);
+  light.softness = std::max(light.softness, kLeastRadius * light.texel());
+}
+
+}  // namespace
+
+ShadowLight shadow_light(const Light& light, const LightTypes& types) {
+  const LightType* type = types.find(light.type);
+  const std::optional<int> position = light.params.schema().by_role("position");
+  if (type == nullptr || type->shadow == ShadowKind::kNone || !position) return {};
+
+  ShadowLight shadow;
+  shadow.kind = type->shadow;
+  shadow.position = light.params.vec3(*position);
+  shadow.softness = softness_of(light.params);
+  if (shadow.kind == ShadowKind::kSpot) {
+    const std::optional<int> direction = light.params.schema().by_role("direction");
+    if (direction) shadow.direction = glm::normalize(light.params.vec3(*direction));
+    shadow.extent = extent_of(light.params);
+  } else {
+    // Six views of a right angle each, a little wider, so that the filter does not leave a view.
+    shadow.extent = std::min(1.0F + 2.0F * shadow.softness + 0.01F, kMostExtent);
+  }
+  if (!is_finite(shadow.position) || !is_finite(shadow.direction)) return {};
+  fit_size(shadow);
+  return shadow;
+}
+
+std::vector<ShadowLight> shadow_lights(const LightRig& rig, const LightTypes& types) {
+  const Light* shared = rig.shadow_light.empty() ? nullptr : rig.find(rig.shadow_light);
+  std::vector<ShadowLight> shadows;
+  for (const Light& light : rig.lights) shadows.push_back(shadow_light(shared != nullptr ? *shared : light, types));
+  return shadows;
+}
+
+float receiver_offset(const ShadowLight& light, float distance, float cosine) {
+  // Within the 2 x 2 texels that a comparison reads, a plane's depth changes by up to sqrt(2) texels times its slope,
+  // and seen off the map's axis by 3/4 of a texel even when it faces the light.
+  const float sine = std::sqrt(std::max(0.0F, 1.0F - cosine * cosine));
+  return distance * light.texel() * (0.75F + 0.75F * sine);
+}
+
+Vec3 shadow_receiver(const ShadowLight& light, const Vec3& position, const Vec3& normal) {
+  const Vec3 to_light = light.position - position;
+  const float distance = glm::length(to_light);
+  const float cosine = distance > 0.0F ? glm::dot(to_light, normal) / distance : 1.0F;
+  return position + normal * receiver_offset(light, distance, cosine);
+}
+
+Vec3 shadow_tap(const ShadowLight& light, const Vec3& receiver, const Vec3& normal, const Vec2& disc) {
+  const Vec3 way = receiver - light.position;
+  const float distance = glm::length(way);
+  if (!(distance > 0.0F)) return receiver;
+  const Vec3 axis = way / distance;
+  Vec3 right;
+  Vec3 up;
+  tangent_frame(axis, right, up);
+  const Vec3 across = light.softness * (disc.x * right + disc.y * up);
+  // Where the tap's ray meets the receiver's plane, to first order; that errs towards the light.
+  const float slope = glm::dot(across, normal) / std::max(-glm::dot(axis, normal), kLeastCosine);
+  const float reach = distance * std::clamp(1.0F + slope, 0.5F, 2.0F);
+  return light.position + reach * (axis + across);
+}
+
+bool shadow_covers(const ShadowLight& light, const Vec3& receiver) {
+  if (light.kind != ShadowKind::kSpot) return light.kind == ShadowKind::kCube;
+  const Vec3 way = receiver - light.position;
+  const float depth = glm::dot(way, light.direction);
+  Vec3 right;
+  Vec3 up;
+  tangent_frame(light.direction, right, up);
+  const float reach = depth * light.extent;
+  return depth > 0.0F && std::abs(glm::dot(way, right)) <= reach && std::abs(glm::dot(way, up)) <= reach;
+}
+
+Vec2 vogel_disc(int i, int n) {
+  const float golden_angle = static_cast<float>(kPi) * (3.0F - std::sqrt(5.0F));
+  const float radius = std::sqrt((static_cast<float>(i) + 0.5F) / static_cast<float>(n));
+  const float angle = static_cast<float>(i) * golden_angle;
+  return radius * Vec2(std::cos(angle), std::sin(angle));
+}
+
+}  // namespace luminist
