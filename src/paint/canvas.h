@@ -1,12 +1,22 @@
 #pragma once
 // paint/canvas.h -- the picture that is painted on, and the target and importance that come of it.
+#include <cstdint>
 #include <functional>
+#include <memory>
+#include <optional>
+#include <string>
 
+#include "paint/copy_source.h"
+#include "paint/coverage.h"
+#include "paint/gradient.h"
+#include "paint/importance.h"
 #include "paint/stroke.h"
 #include "render/surface_buffer.h"
 #include "render/target.h"
 
 namespace luminist {
+
+struct Dose;
 
 /// The pair that the shadow brush and eraser copy from (paper, section 4.2).
 struct ShadowPair {
@@ -14,32 +24,73 @@ struct ShadowPair {
   Image shadows_off;      ///< all lights on, no shadows
 };
 
-/// Paint on one picture between two accepted solves.
+/// Everything that paint made, as plain values and images: what a document stores and undo puts back.
+struct CanvasState {
+  Target target;              ///< its stroke ids are 1 + index of the stroke since the last rebase
+  Image paint_left;           ///< 1 channel: 1 where painted, less where the eraser went since, 0 where never
+  ImportanceMap importance;   ///< target.importance follows from it
+  std::uint32_t strokes = 0;  ///< applied since the last rebase
+  std::optional<Peak> peak;   ///< of the last stroke with a gradient by normals
+};
+
+/// Paint on one picture between two accepted solves. Copyable: a copy is a snapshot.
+///
+/// A pixel counts as painted where a stroke covers it with at least kPaintEdge, that is inside the brush's circle,
+/// whatever the opacity: a faint glaze is as deliberate as a thick one, while a gaussian's tail is not paint. There its
+/// importance is 1 and not a fraction, as in the paper: the soft edge inside the circle is part of what is asked for.
+/// The background (object 0) has no albedo and no normal, and the formulas take them as zero: paint that behaves like
+/// light (texture or gradient 1) leaves it black as any light would; plain paint shows.
 class Canvas {
  public:
-  using ShadowSource = std::function<Result<ShadowPair>()>;  ///< called at most once, when a stroke needs it
+  using ShadowSource = std::function<Result<ShadowPair>()>;  ///< called when needed, at most once until it changes
 
-  /// surface must outlive the canvas; picture has its size.
+  /// surface must outlive the canvas; picture has its size, 3 channels. images reads what PaintTool::kCopy names.
   Canvas(const SurfaceBuffer& surface, Image picture, ShadowSource shadow_source);
+  Canvas(const SurfaceBuffer& surface, Image picture, ShadowSource shadow_source, ImageReader images);
 
-  /// Composites one stroke: within it coverage is the maximum of its dabs, composited once.
-  /// errors kBadContent for an unknown clip object (nearest name), an unreadable copy source, points that are not
-  /// finite; the canvas is unchanged then. cost O(pixels under the stroke x dabs).
-  Result<void> apply(const Stroke& stroke, const std::string& folder);
+  /// Composites one stroke: within it coverage is the maximum of its dabs, composited once. folder is where copy_from
+  /// is looked for. returns the box of the pixels that may have changed.
+  /// errors kBadContent: check_stroke(), an unknown clip object (nearest name), a gradient that starts on no surface;
+  /// load_copy_source()'s; the shadow source's. The canvas is unchanged then.
+  /// cost O(pixels under the stroke); a copy reads its image, the first shadow stroke renders a pair.
+  Result<PixelBox> apply(const Stroke& stroke, const std::string& folder);
 
-  /// Importance of what is not painted: I = (1 - delta) nu + delta I_p; painted pixels are 1 (section 4.2).
+  /// nu and delta, then every stroke. path is the file's: for messages, and copies are looked for beside it.
+  /// errors those of a stroke with its index in the field; nothing is changed then.
+  Result<void> apply(const StrokeFile& file, const std::string& path);
+
+  /// Importance of what is not painted: I = (1 - delta) nu + delta I_p, both in [0,1]. cost O(pixels).
   void set_importance(float nu, float delta);
 
-  [[nodiscard]] const Target& target() const { return target_; }
-  [[nodiscard]] bool painted() const;  ///< any pixel touched since the last rebase
+  [[nodiscard]] const Target& target() const { return state_.target; }
+  [[nodiscard]] bool painted() const;  ///< any pixel painted in colour since the last rebase
 
   /// A solve was accepted: its picture is what is painted on next, and the importance map becomes the previous one.
   void rebase(Image picture);
 
+  [[nodiscard]] const CanvasState& state() const { return state_; }
+  /// Puts back a state of a canvas of the same size; target.importance is made anew. cost O(pixels).
+  void restore(CanvasState state);
+
+  /// Lights or their locks changed: the shadow pair is asked for again when it is needed.
+  void forget_shadow_pair() { shadow_pair_.reset(); }
+
  private:
+  Result<const Image*> source_of(const Brush& brush, const std::string& folder, Image& copied);
+  Result<const ShadowPair*> shadow_pair();
+  void lay(const Brush& brush, const Coverage& coverage, const ObjectMask& mask, const Gradient& gradient,
+           const Image* source);
+  void paint_pixel(const Brush& brush, std::size_t pixel, const Dose& dose);
+  void refresh_importance(const PixelBox& box);
+  void begin(Image picture);
+
+  [[nodiscard]] PixelBox everywhere() const { return {0, 0, surface_->width, surface_->height}; }
+
   const SurfaceBuffer* surface_;
   ShadowSource shadow_source_;
-  Target target_;
+  ImageReader images_;
+  std::shared_ptr<const ShadowPair> shadow_pair_;  ///< shared by copies: it never changes
+  CanvasState state_;
 };
 
 }  // namespace luminist

@@ -1,48 +1,17 @@
 #pragma once
-// paint/stroke.h -- what the hand did: a brush and the points it went through (paper, section 4.1).
+// paint/stroke.h -- what the hand did: a brush and the points it went through; files of strokes.
 #include <string>
 #include <vector>
 
-#include "base/math.h"
-#include "base/result.h"
+#include "paint/brush.h"
 
 namespace luminist {
 
-enum class PaintTool {
-  kColor,       ///< composite the brush colour
-  kBrighten,    ///< multiply towards brighter by the brush's strength
-  kDarken,      ///< the same, darker
-  kCopy,        ///< copy from an image edited elsewhere
-  kShadow,      ///< copy from the picture with the free lights off
-  kLight,       ///< the shadow eraser: copy from the picture with all lights on and no shadows
-  kBucket,      ///< every pixel of the object (or of the picture, unclipped) at once
-  kImportance,  ///< paint into the importance map
-};
-enum class PeakKind { kDiffuse, kSpecular };
-
-/// The qualities of a brush. Lengths are fractions of the picture's height.
-struct Brush {
-  PaintTool tool = PaintTool::kColor;
-  Vec3 color{1.0F};           ///< c, linear RGB, may exceed 1
-  float diameter = 0.1F;      ///< d; the dab is a gaussian of sigma d/4
-  float opacity = 1.0F;       ///< alpha
-  float texture = 1.0F;       ///< tau: how much the surface's diffuse texture modulates the colour
-  float gradient = 0.0F;      ///< gamma: how much the turning of the normal away from n_peak does
-  PeakKind peak = PeakKind::kDiffuse;
-  bool repeat_peak = false;   ///< keep the n_peak of the stroke before
-  bool screen_gradient = false;  ///< fade along the drag from the first point to the last instead of by normals
-  bool add_light = false;     ///< never darken: p_f = max(p_b, c_c)
-  float strength = 0.5F;      ///< of brighten and darken, in stops
-  float importance = 1.0F;    ///< what kImportance paints
-  std::string clip;           ///< name of the object to stay on; "@" is the object under the first point; empty: none
-  std::string copy_from;      ///< image file of kCopy, relative to the stroke file
-};
-
-/// x in [0, aspect] from the left, y in [0, 1] from the top, both in picture heights.
+/// x in [0, aspect] from the left, y in [0, 1] from the top, both in picture heights; outside is allowed.
 struct StrokePoint {
   float x = 0.0F;
   float y = 0.0F;
-  float pressure = 1.0F;  ///< scales the diameter
+  float pressure = 1.0F;  ///< in [0,1], scales the diameter
 };
 
 struct Stroke {
@@ -57,10 +26,24 @@ struct StrokeFile {
   std::vector<Stroke> strokes;
 };
 
-/// JSON, written by hand or by program; unset qualities keep the defaults above. `"units": "height" | "pixels"`.
-/// errors kMissing; kBadContent at path:line:col naming the field, with the nearest valid key.
+/// Qualities in their ranges, points finite, at least one point (a bucket may have none), kCopy with an image.
+/// errors kBadContent naming the field.
+Result<void> check_stroke(const Stroke& stroke);
+
+/// Stroke files are JSON, written by hand or by program. Unset qualities keep the defaults of Brush:
+///
+///   { "units": "height",                 optional; or "pixels", then "height": of the picture they were measured on
+///     "nu": 0.1, "delta": 0.5,           optional
+///     "brushes": { "warm": { "color": "#ffb060", "diameter": 0.2, "gradient": 1 } },
+///     "strokes": [ { "brush": "warm", "opacity": 0.8, "clip": "@", "points": [[0.5, 0.4], [0.6, 0.45, 0.7]] } ] }
+///
+/// A stroke may name a brush of the table and override any quality of it. Colours are [r, g, b], linear, or "#rrggbb",
+/// sRGB. Points are [x, y] or [x, y, pressure].
+/// errors kMissing; kBadContent at path:line:column naming the field, with the nearest valid key.
 Result<StrokeFile> load_strokes(const std::string& path);
 Result<StrokeFile> parse_strokes(const std::string& json, const std::string& path);
+
+/// One stroke a paragraph, only qualities that differ from the defaults; parses to the same values bit by bit.
 std::string strokes_to_json(const StrokeFile& file);
 
 }  // namespace luminist

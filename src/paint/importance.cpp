@@ -1,0 +1,29 @@
+#include "paint/importance.h"
+
+namespace luminist {
+
+float ImportanceMap::implied(std::size_t pixel, bool painted) const {
+  if (painted) return 1.0F;
+  const float before = previous.empty() ? nu : previous.data[pixel];
+  return (1.0F - delta) * nu + delta * before;
+}
+
+float ImportanceMap::at(std::size_t pixel, bool painted) const {
+  const float below = implied(pixel, painted);
+  if (paint.empty()) return below;
+  return paint.data[2 * pixel] + (1.0F - paint.data[2 * pixel + 1]) * below;
+}
+
+void ImportanceMap::put(std::size_t pixel, float value, float amount) {
+  float* layer = &paint.data[2 * pixel];
+  layer[0] = (1.0F - amount) * layer[0] + amount * value;
+  layer[1] = (1.0F - amount) * layer[1] + amount;
+}
+
+void ImportanceMap::erase(std::size_t pixel, float amount) {
+  float* layer = &paint.data[2 * pixel];
+  layer[0] *= 1.0F - amount;
+  layer[1] *= 1.0F - amount;
+}
+
+}  // namespace luminist
