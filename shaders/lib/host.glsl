@@ -1,0 +1,50 @@
+// lib/host.glsl -- what the engine hands to shade(): samples, candidates, softness. Names that begin with lum_ are the
+// host's; a style uses Surface, LightSample, light_count(), light(), ambient(), style and lib/helpers.glsl.
+
+layout(std140, binding = LUM_FRAME) uniform LumFrame {
+  vec4 eye;            // xyz world
+  float light_edge;    // least edge of a light's own limits, tangent
+  float threshold;     // least half width of a style's thresholds
+  uint samples;        // samples of one candidate
+  uint padded;         // the same, rounded up to whole work groups
+  uint candidates;
+  uint indexed;        // 1: sample i is entry lum_entries[i] of the surface; 0: entry i
+} lum_frame;
+
+// The deep framebuffer. position.w and normal.w hold object and material as bits.
+layout(std430, binding = LUM_POSITION) readonly buffer LumPositions { vec4 lum_positions[]; };
+layout(std430, binding = LUM_NORMAL) readonly buffer LumNormals { vec4 lum_normals[]; };
+layout(std430, binding = LUM_ALBEDO) readonly buffer LumAlbedos { vec4 lum_albedos[]; };
+layout(std430, binding = LUM_SPECULAR) readonly buffer LumSpeculars { vec4 lum_speculars[]; };
+layout(std430, binding = LUM_EMISSIVE) readonly buffer LumEmissives { vec4 lum_emissives[]; };
+
+layout(std430, binding = LUM_ENTRIES) readonly buffer LumEntries { uint lum_entries[]; };
+// [column * samples + sample]
+layout(std430, binding = LUM_VISIBILITY) readonly buffer LumVisibility { float lum_visibility[]; };
+// [candidate] first light, number of lights, ambient block (LUM_NONE: nothing but lights), style block
+layout(std430, binding = LUM_CANDIDATES) readonly buffer LumCandidates { uvec4 lum_candidates[]; };
+// [light] type, block of that type, visibility column (LUM_NONE: no shadows), 0
+layout(std430, binding = LUM_LIGHTS) readonly buffer LumLights { uvec4 lum_lights[]; };
+// [candidate * samples + sample]
+layout(std430, binding = LUM_COLORS) writeonly buffer LumColors { vec4 lum_colors[]; };
+
+const uint LUM_NONE = 0xFFFFFFFFu;
+
+uvec4 lum_candidate = uvec4(0u);
+uint lum_sample = 0u;
+
+float lum_light_edge_softness() { return lum_frame.light_edge; }
+float lum_threshold_softness() { return lum_frame.threshold; }
+
+int light_count() { return int(lum_candidate.y); }
+
+Surface lum_surface(uint entry) {
+  vec4 position = lum_positions[entry];
+  vec4 normal = lum_normals[entry];
+  vec4 albedo = lum_albedos[entry];
+  vec3 emissive = lum_candidate.z == LUM_NONE ? vec3(0.0) : lum_emissives[entry].rgb;
+  vec3 to_eye = lum_frame.eye.xyz - position.xyz;
+  vec3 view = to_eye * inversesqrt(max(dot(to_eye, to_eye), 1e-24));
+  return Surface(position.xyz, normal.xyz, view, albedo.rgb, lum_speculars[entry].rgb, emissive, albedo.a,
+                 floatBitsToUint(position.w), floatBitsToUint(normal.w));
+}

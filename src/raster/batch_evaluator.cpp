@@ -1,0 +1,103 @@
+#include "raster/batch_evaluator.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/check.h"
+
+namespace luminist {
+namespace {
+
+// Values (candidates x samples, columns x samples) of one dispatch: bounds its buffers, far from a device's limits.
+constexpr std::size_t kMaxValues = std::size_t{1} << 22;
+
+Vec3 finite_or_black(const Vec4& color) {
+  const Vec3 rgb(color);
+  return is_finite(rgb) ? rgb : Vec3(0.0F);
+}
+
+}  // namespace
+
+BatchEvaluator::BatchEvaluator(Device& device, Relight& relight, const DeepFramebuffer& surface,
+                               const LightTypes& types, const RayScene& rays)
+    : device_(&device),
+      relight_(&relight),
+      surface_(&surface),
+      types_(&types),
+      visibility_(rays, surface.surface()),
+      table_(relight.make_table()) {}
+
+Result<void> BatchEvaluator::evaluate(std::span<const Candidate> candidates, const SampleSet& samples,
+                                      const Softness& softness, std::span<Vec3> out) {
+  const std::size_t count = samples.pixels.size();
+  LUM_CHECK(out.size() == candidates.size() * count, "one colour per candidate and sample");
+  if (count == 0) return {};
+  LUM_TRY_VOID(entry_buffer_.assign(*device_, std::span<const std::uint32_t>(samples.pixels)));
+  std::size_t done = 0;
+  while (done < candidates.size()) {
+    LUM_TRY(const std::size_t filled, fill_table(candidates.subspan(done), samples, softness));
+    LUM_TRY_VOID(shade(samples, softness, out.subspan(done * count, filled * count)));
+    visibility_.trim();
+    done += filled;
+  }
+  return {};
+}
+
+Result<std::size_t> BatchEvaluator::fill_table(std::span<const Candidate> candidates, const SampleSet& samples,
+                                               const Softness& softness) {
+  const std::size_t count = samples.pixels.size();
+  table_.clear();
+  columns_.clear();
+  const auto column_of = [&](const LightRig& rig, int light) { return column(rig, light, samples, softness); };
+  std::size_t filled = 0;
+  while (filled < candidates.size()) {
+    const std::size_t values = std::max(filled, columns_.size()) * count;
+    if (filled > 0 && values + count > kMaxValues) break;
+    if (!table_.add(candidates[filled], column_of)) break;
+    ++filled;
+  }
+  if (filled == 0) {
+    return Error{ErrorKind::kLimit, "the rig has more lights of one type than this device takes at once", "", "",
+                 "remove lights"};
+  }
+  shades_ += static_cast<double>(table_.lights().size() * count);
+  return filled;
+}
+
+std::uint32_t BatchEvaluator::column(const LightRig& rig, int light, const SampleSet& samples,
+                                     const Softness& softness) {
+  const Light* caster = rig.shadow_light.empty() ? nullptr : rig.find(rig.shadow_light);
+  if (caster == nullptr) caster = &rig.lights[static_cast<std::size_t>(light)];
+  const ShadowLight shadow = shadow_light(*caster, *types_);
+  if (shadow.kind == ShadowKind::kNone) return kNone;
+  const float* values = visibility_.column(shadow, samples, softness).data();
+  // A column's address names it: candidates that share a light's place share its column.
+  const auto known = std::find(columns_.rbegin(), columns_.rend(), values);
+  if (known != columns_.rend()) return static_cast<std::uint32_t>(columns_.rend() - known - 1);
+  columns_.push_back(values);
+  return static_cast<std::uint32_t>(columns_.size() - 1);
+}
+
+Result<void> BatchEvaluator::shade(const SampleSet& samples, const Softness& softness, std::span<Vec3> out) {
+  const std::size_t count = samples.pixels.size();
+  LUM_TRY_VOID(visibility_buffer_.reserve(*device_, columns_.size() * count * sizeof(float)));
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    visibility_buffer_.buffer().write(i * count * sizeof(float), std::span(columns_[i], count));
+  }
+  LUM_TRY_VOID(color_buffer_.reserve(*device_, out.size() * sizeof(Vec4)));
+  RelightJob job;
+  job.surface = surface_;
+  job.table = &table_;
+  job.samples = count;
+  job.entries = &entry_buffer_.buffer();
+  job.visibility = &visibility_buffer_.buffer();
+  job.colors = &color_buffer_.buffer();
+  job.softness = softness;
+  LUM_TRY_VOID(relight_->run(job));
+  colors_.resize(out.size());
+  color_buffer_.buffer().read(0, std::span<Vec4>(colors_));
+  std::transform(colors_.begin(), colors_.end(), out.begin(), finite_or_black);
+  return {};
+}
+
+}  // namespace luminist

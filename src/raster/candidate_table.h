@@ -1,0 +1,57 @@
+#pragma once
+// raster/candidate_table.h -- candidates as the relight program reads them: lists of blocks and who uses which. No GL.
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "raster/shader_library.h"
+#include "render/renderer.h"
+
+namespace luminist {
+
+/// Equal neighbouring blocks are stored once: the candidates of a solve differ in one light or none.
+class CandidateTable {
+ public:
+  using Row = std::array<std::uint32_t, 4>;
+  /// The column of the visibility buffer of a light of the candidate's rig, or kNone for no shadows.
+  using ColumnOf = std::function<std::uint32_t(const LightRig& rig, int light)>;
+
+  /// types must outlive the table.
+  CandidateTable(const RelightLayout& layout, const LightTypes& types);
+
+  void clear();
+  /// False, and nothing is added, if the candidate's blocks do not fit beside those that are there.
+  /// Muted lights are left out; the term of a muted light is black.
+  [[nodiscard]] bool add(const Candidate& candidate, const ColumnOf& column_of);
+
+  [[nodiscard]] std::size_t size() const { return candidates_.size(); }
+  [[nodiscard]] const std::vector<Row>& candidates() const { return candidates_; }  ///< see shaders/lib/host.glsl
+  [[nodiscard]] const std::vector<Row>& lights() const { return lights_; }
+  [[nodiscard]] std::span<const std::byte> ambient() const { return ambient_.bytes; }
+  [[nodiscard]] std::span<const std::byte> style() const { return style_.bytes; }
+  [[nodiscard]] std::span<const std::byte> light_type(std::size_t type) const { return light_types_[type].bytes; }
+
+ private:
+  /// The blocks of one array so far, and the block that each user (a light by its place in the rig) had last.
+  struct Blocks {
+    BlockArray array;
+    std::vector<std::byte> bytes;
+    std::vector<std::uint32_t> last;
+    [[nodiscard]] std::size_t free() const { return array.capacity - bytes.size() / array.stride; }
+    std::uint32_t add(std::size_t user, std::span<const std::byte> block);
+  };
+  [[nodiscard]] std::vector<int> lit_lights(const Candidate& candidate) const;
+  [[nodiscard]] bool fits(const Candidate& candidate, const std::vector<int>& lights) const;
+
+  const LightTypes* types_;
+  std::vector<Row> candidates_;
+  std::vector<Row> lights_;
+  Blocks ambient_;
+  Blocks style_;
+  std::vector<Blocks> light_types_;
+};
+
+}  // namespace luminist

@@ -1,0 +1,38 @@
+#pragma once
+// raster/raster_renderer.h -- the engine on a graphics device: deep framebuffer, shadow maps, relighting (paper, 6.1).
+#include <memory>
+
+#include "base/files.h"
+#include "gpu/device.h"
+#include "render/renderer.h"
+#include "rig/light_type.h"
+#include "scene/scene.h"
+
+namespace luminist {
+
+class RasterRenderer final : public Renderer {
+ public:
+  /// One camera of one scene in one style. device and types outlive it; the scene is not needed afterwards.
+  /// width, height in pixels. errors kUsage for a size that is not positive; kLimit, kGl of the device; kStyle at the
+  /// author's file and line. cost a few passes over the triangles, and compiling the style.
+  static Result<std::unique_ptr<RasterRenderer>> create(Device& device, const Scene& scene, const Camera& camera,
+                                                        const LightTypes& types, const Style& style,
+                                                        const AssetRoots& roots, int width, int height);
+  ~RasterRenderer() override;
+
+  [[nodiscard]] const SurfaceBuffer& surface() const override;
+  [[nodiscard]] SceneFrame frame() const override;
+  [[nodiscard]] const Style& style() const override;
+  Result<Image> render(const ParamState& state, const RenderOptions& options = {}) override;
+  Result<double> error(const ParamState& state, const Target& target) override;
+  Result<void> evaluate(std::span<const Candidate> candidates, const SampleSet& samples, const Softness& softness,
+                        std::span<Vec3> out) override;
+  [[nodiscard]] const WorkCount& work() const override;
+
+ private:
+  class Impl;
+  explicit RasterRenderer(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace luminist

@@ -1,0 +1,105 @@
+#include "raster/relight.h"
+
+#include <array>
+#include <utility>
+
+#include "base/check.h"
+
+namespace luminist {
+namespace {
+
+constexpr std::size_t kGroup = 64;  // local size of relight.comp
+
+/// LumFrame of shaders/lib/host.glsl.
+struct FrameBlock {
+  std::array<float, 4> eye{};
+  float light_edge = 0.0F;
+  float threshold = 0.0F;
+  std::uint32_t samples = 0;
+  std::uint32_t padded = 0;
+  std::uint32_t candidates = 0;
+  std::uint32_t indexed = 0;
+  std::array<std::uint32_t, 2> unused{};
+};
+static_assert(sizeof(FrameBlock) == 48, "as std140 lays it out");
+
+std::size_t padded(std::size_t samples) {
+  return (samples + kGroup - 1) / kGroup * kGroup;
+}
+
+}  // namespace
+
+Result<void> GrowingBuffer::reserve(Device& device, std::size_t bytes) {
+  if (buffer_.name() != 0 && buffer_.bytes() >= bytes) return {};
+  // Half as much again, so that a slowly growing batch does not allocate each time.
+  LUM_TRY(buffer_, GlBuffer::create(device, use_, bytes + bytes / 2, label_));
+  return {};
+}
+
+Result<Relight> Relight::create(Device& device, const LightTypes& types, const Style& style, const AssetRoots& roots) {
+  Relight relight(device, types);
+  relight.layout_ = relight_layout(device.info().max_uniform_block_bytes, types, style);
+  LUM_TRY(relight.program_, compile_relight(device, relight.layout_, types, style, roots));
+  const auto uniform = [&](std::size_t bytes, const std::string& label) {
+    return GlBuffer::create(device, BufferUse::kUniform, bytes, label);
+  };
+  LUM_TRY(relight.frame_, uniform(sizeof(FrameBlock), "relight frame"));
+  LUM_TRY(relight.ambient_, uniform(relight.layout_.ambient.bytes(), "ambient blocks"));
+  LUM_TRY(relight.style_, uniform(relight.layout_.style.bytes(), "style blocks"));
+  for (std::size_t i = 0; i < types.all().size(); ++i) {
+    LUM_TRY(GlBuffer blocks, uniform(relight.layout_.light_types[i].bytes(), types.all()[i].name + " light blocks"));
+    relight.light_types_.push_back(std::move(blocks));
+  }
+  LUM_TRY(relight.nothing_, GlBuffer::create(device, BufferUse::kStorage, 16, "nothing"));
+  return relight;
+}
+
+Result<void> Relight::upload(const RelightJob& job) {
+  const CandidateTable& table = *job.table;
+  const Vec3 eye = job.surface->eye();
+  FrameBlock frame;
+  frame.eye = {eye.x, eye.y, eye.z, 1.0F};
+  frame.light_edge = job.softness.light_edge;
+  frame.threshold = job.softness.threshold;
+  frame.samples = static_cast<std::uint32_t>(job.samples);
+  frame.padded = static_cast<std::uint32_t>(padded(job.samples));
+  frame.candidates = static_cast<std::uint32_t>(table.size());
+  frame.indexed = job.entries != nullptr ? 1 : 0;
+  frame_.write(0, std::span<const FrameBlock>(&frame, 1));
+  const auto write = [](GlBuffer& buffer, std::span<const std::byte> bytes) {
+    if (!bytes.empty()) buffer.write(0, bytes);
+  };
+  write(ambient_, table.ambient());
+  write(style_, table.style());
+  for (std::size_t i = 0; i < light_types_.size(); ++i) write(light_types_[i], table.light_type(i));
+  LUM_TRY_VOID(candidates_.assign(*device_, std::span<const CandidateTable::Row>(table.candidates())));
+  return lights_.assign(*device_, std::span<const CandidateTable::Row>(table.lights()));
+}
+
+Result<void> Relight::run(const RelightJob& job) {
+  namespace binding = relight_binding;
+  LUM_CHECK(job.colors->bytes() >= job.table->size() * job.samples * sizeof(Vec4), "the caller makes room");
+  if (job.samples == 0 || job.table->size() == 0) return {};
+  LUM_TRY_VOID(upload(job));
+  frame_.bind_uniform(binding::kFrame);
+  ambient_.bind_uniform(binding::kAmbient);
+  style_.bind_uniform(binding::kStyle);
+  for (std::size_t i = 0; i < light_types_.size(); ++i) {
+    light_types_[i].bind_uniform(binding::kFirstLightType + static_cast<GLuint>(i));
+  }
+  job.surface->position().bind_storage(binding::kPosition);
+  job.surface->normal().bind_storage(binding::kNormal);
+  job.surface->albedo().bind_storage(binding::kAlbedo);
+  job.surface->specular().bind_storage(binding::kSpecular);
+  job.surface->emissive().bind_storage(binding::kEmissive);
+  (job.entries != nullptr ? *job.entries : nothing_).bind_storage(binding::kEntries);
+  (job.visibility != nullptr ? *job.visibility : nothing_).bind_storage(binding::kVisibility);
+  candidates_.buffer().bind_storage(binding::kCandidates);
+  lights_.buffer().bind_storage(binding::kLights);
+  job.colors->bind_storage(binding::kColors);
+  program_.use();
+  program_.dispatch(*device_, padded(job.samples) * job.table->size(), kGroup);
+  return {};
+}
+
+}  // namespace luminist

@@ -1,0 +1,247 @@
+#include "raster/raster_renderer.h"
+
+#include <cmath>
+#include <fstream>
+#include <random>
+
+#include "raster/renderer_fixture.h"
+#include "render/metric.h"
+
+namespace luminist {
+namespace {
+
+using RasterRendererTest = RendererTest;
+
+double mean_of(const Image& image) {
+  double sum = 0.0;
+  for (const float v : image.data) sum += static_cast<double>(v);
+  return sum / static_cast<double>(image.data.size());
+}
+
+TEST_F(RasterRendererTest, APictureIsLitAndFiniteAndRepeatsItsBits) {
+  use_style("cinematic");
+  LUM_ASSERT_OK(const Image first, renderer_->render(*state_));
+  EXPECT_EQ(first.width, kWidth);
+  EXPECT_EQ(first.height, kHeight);
+  EXPECT_EQ(first.channels, 3);
+  for (const float v : first.data) ASSERT_TRUE(std::isfinite(v) && v >= 0.0F);
+  EXPECT_GT(mean_of(first), 0.05);
+  ParamState other = *state_;
+  other.rig.lights[0].params.set_vec3(0, Vec3(1.0F, 5.0F, 1.0F));
+  LUM_ASSERT_OK(const Image between, renderer_->render(other));
+  EXPECT_NE(between.data, first.data);
+  LUM_ASSERT_OK(const Image again, renderer_->render(*state_));
+  EXPECT_EQ(again.data, first.data) << "what was rendered in between leaves no trace";
+}
+
+TEST_F(RasterRendererTest, MutedLightsAddNothingAndShadowsOnlyTakeLight) {
+  use_style("cinematic");
+  LUM_ASSERT_OK(const Image all, renderer_->render(*state_));
+  LUM_ASSERT_OK(const Image free, renderer_->render(*state_, {.shadows = false}));
+  for (std::size_t i = 0; i < all.data.size(); ++i) ASSERT_LE(all.data[i], free.data[i] + 1e-6F);
+  EXPECT_LT(mean_of(all), 0.98 * mean_of(free));
+  ParamState muted = *state_;
+  muted.rig.lights[1].muted = true;
+  ParamState removed = *state_;
+  removed.rig.lights.pop_back();
+  LUM_ASSERT_OK(const Image a, renderer_->render(muted));
+  LUM_ASSERT_OK(const Image b, renderer_->render(removed));
+  EXPECT_EQ(a.data, b.data);
+  muted.rig.lights[0].muted = true;
+  LUM_ASSERT_OK(const Image dim, renderer_->render(muted));
+  EXPECT_GT(mean_of(dim), 0.0) << "the ambient light is left";
+  EXPECT_LT(mean_of(dim), 0.2 * mean_of(all));
+}
+
+TEST_F(RasterRendererTest, ASharedShadowLightGivesItsShadowsToAll) {
+  use_style("cinematic");
+  state_->rig.shadow_light = "key";
+  LUM_ASSERT_OK(const Image shared, renderer_->render(*state_));
+  // The fill light, moved: with the key's shadows its own place moves no shadow.
+  state_->rig.lights[0].params.set_vec3(*light(0).schema().by_role("color"), Vec3(0.0F));
+  const SampleSet samples = all_pixels();
+  const std::vector<Vec3> fill = evaluate({&*state_, 1}, samples);
+  state_->rig.shadow_light.clear();
+  const std::vector<Vec3> own = evaluate({&*state_, 1}, samples);
+  int differ = 0;
+  for (std::size_t i = 0; i < fill.size(); ++i) differ += glm::length(fill[i] - own[i]) > 1e-3F ? 1 : 0;
+  EXPECT_GT(differ, kWidth * kHeight / 100);
+  EXPECT_GT(mean_of(shared), 0.0);
+}
+
+TEST_F(RasterRendererTest, ABatchOfCandidatesIsThePictureWithoutShadows) {
+  for (const char* style : {"cinematic", "toon"}) {
+    use_style(style);
+    drop_shadows();
+    LUM_ASSERT_OK(const Image picture, renderer_->render(*state_, {.shadows = false}));
+    const std::vector<Vec3> samples = evaluate({&*state_, Candidate::kAllLights}, all_pixels());
+    int edge = 0;
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      // The same program on the same entries: equal but for pixels that are antialiased.
+      if (picture.rgb(i) != samples[i]) ++edge;
+    }
+    EXPECT_LT(edge, kWidth * kHeight / 8) << style;
+    EXPECT_GT(edge, 0) << "the silhouette is antialiased";
+  }
+}
+
+TEST_F(RasterRendererTest, RaysAndShadowMapsSeeTheSameShadows) {
+  use_style("cinematic");
+  LUM_ASSERT_OK(const Image picture, renderer_->render(*state_));
+  Softness softness;
+  softness.shadow_rays = 16;
+  const std::vector<Vec3> samples = evaluate({&*state_, Candidate::kAllLights}, all_pixels(), softness);
+  double difference = 0.0;
+  int far_off = 0;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    const float d = glm::length(picture.rgb(i) - samples[i]);
+    difference += static_cast<double>(d);
+    far_off += d > 0.1F ? 1 : 0;
+  }
+  // Antialiased silhouettes and the texels of shadow edges differ; whole surfaces must not.
+  EXPECT_LT(difference / static_cast<double>(samples.size()), 0.02 * mean_of(picture) * 3.0);
+  EXPECT_LT(far_off, kWidth * kHeight / 20);
+}
+
+TEST_F(RasterRendererTest, TermsOfLightsAddUpToTheWhole) {
+  for (const char* style : {"cinematic", "toon"}) {
+    use_style(style);
+    const SampleSet samples = all_pixels();
+    std::vector<Candidate> candidates{{&*state_, Candidate::kAllLights}, {&*state_, Candidate::kNoLights}};
+    for (int i = 0; i < 2; ++i) candidates.push_back({&*state_, i});
+    std::vector<Vec3> out(candidates.size() * samples.pixels.size());
+    LUM_EXPECT_OK(renderer_->evaluate(candidates, samples, {}, out));
+    const std::size_t n = samples.pixels.size();
+    for (std::size_t i = 0; i < n; ++i) {
+      const Vec3 sum = out[n + i] + out[2 * n + i] + out[3 * n + i];
+      // Three roundings of numbers about 1.
+      ASSERT_LT(glm::length(sum - out[i]), 1e-6F + 1e-6F * glm::length(out[i])) << style << " pixel " << i;
+    }
+  }
+}
+
+TEST_F(RasterRendererTest, ATermIsLinearInTheLightsColour) {
+  for (const char* style : {"cinematic", "toon"}) {
+    use_style(style);
+    const SampleSet samples = all_pixels();
+    const std::vector<Vec3> one = evaluate({&*state_, 0}, samples);
+    const int color = *light(0).schema().by_role("color");
+    light(0).set_vec3(color, 3.0F * light(0).vec3(color));
+    const std::vector<Vec3> three = evaluate({&*state_, 0}, samples);
+    for (std::size_t i = 0; i < one.size(); ++i) {
+      ASSERT_LT(glm::length(three[i] - 3.0F * one[i]), 1e-6F + 2e-6F * glm::length(three[i])) << style;
+    }
+  }
+}
+
+TEST_F(RasterRendererTest, TheErrorIsThatOfTheReference) {
+  use_style("cinematic");
+  Target target;
+  LUM_ASSERT_OK(const Image picture, renderer_->render(*state_));
+  target.color = picture;
+  target.before = picture;
+  target.importance = Image(kWidth, kHeight, 1);
+  target.stroke.assign(picture.pixels(), 0);
+  std::mt19937 random(5);
+  std::uniform_real_distribution<float> unit(0.0F, 1.0F);
+  for (float& v : target.importance.data) v = unit(random);
+  EXPECT_EQ(renderer_->error(*state_, target).value(), 0.0);
+  for (float& v : target.color.data) v += 0.3F * unit(random);
+  const double reference = picture_error(picture, target, {});
+  EXPECT_NEAR(renderer_->error(*state_, target).value(), reference, 1e-5 * reference);
+  Style blurred = *style_;
+  blurred.metric.blur = 0.02F;
+  use_style(blurred);
+  const double soft = picture_error(picture, target, blurred.metric);
+  EXPECT_NEAR(renderer_->error(*state_, target).value(), soft, 1e-5 * soft);
+  EXPECT_LT(soft, reference) << "the blur averages noise";
+}
+
+TEST_F(RasterRendererTest, CountsTheWorkOfPicturesAndSamples) {
+  use_style("cinematic");
+  const double pixels = kWidth * kHeight;
+  const WorkCount before = renderer_->work();
+  LUM_EXPECT_OK(renderer_->render(*state_));
+  EXPECT_EQ(renderer_->work().shades - before.shades, 2.0 * pixels);
+  EXPECT_EQ(renderer_->work().shadow_queries - before.shadow_queries, 2.0 * pixels);
+  EXPECT_EQ(renderer_->work().pictures - before.pictures, 1.0);
+
+  SampleSet samples;
+  samples.id = 5;
+  const SurfaceBuffer& surface = renderer_->surface();
+  for (std::uint32_t i = 0; samples.pixels.size() < 100; ++i) {
+    if (surface.object[i * 31] != 0) samples.pixels.push_back(i * 31);
+  }
+  Softness softness;
+  softness.shadow_rays = 3;
+  const WorkCount start = renderer_->work();
+  evaluate({&*state_, Candidate::kAllLights}, samples, softness);
+  EXPECT_EQ(renderer_->work().shades - start.shades, 200.0);
+  EXPECT_EQ(renderer_->work().shadow_queries - start.shadow_queries, 600.0);
+  light(0).set_vec3(*light(0).schema().by_role("color"), Vec3(0.5F));
+  const WorkCount second = renderer_->work();
+  evaluate({&*state_, 0}, samples, softness);
+  EXPECT_EQ(renderer_->work().shades - second.shades, 100.0);
+  EXPECT_EQ(renderer_->work().shadow_queries - second.shadow_queries, 0.0) << "another colour keeps the visibility";
+}
+
+TEST_F(RasterRendererTest, SurvivesAnyParameterValues) {
+  for (const char* style : {"cinematic", "toon"}) {
+    use_style(style);
+    state_->rig.lights.push_back(make_light(*types_, "point", "bulb", renderer_->frame()).value());
+    const SampleSet samples = all_pixels();
+    std::mt19937 random(11);
+    const float values[] = {0.0F, -1.0F, 1.0F, -0.3F, 1e-6F, -1e6F, 1e6F, 17.0F};
+    for (int round = 0; round < 24; ++round) {
+      ParamState hostile = *state_;
+      for (ParamBlock* block : hostile.blocks()) {
+        for (int p = 0; p < block->schema().size(); ++p) {
+          const ParamSpec& spec = block->schema()[p];
+          if (spec.type == ParamType::kChoice || random() % 3 == 0) continue;
+          for (int c = 0; c < spec.components(); ++c) block->set(p, c, values[random() % std::size(values)]);
+        }
+      }
+      for (const Vec3& color : evaluate({&hostile, Candidate::kAllLights}, samples)) ASSERT_TRUE(is_finite(color));
+      LUM_EXPECT_OK(renderer_->render(hostile));
+    }
+  }
+}
+
+TEST_F(RasterRendererTest, AStyleWithoutNumbersIsNamedAndAFewBadPixelsBecomeBlack) {
+  TemporaryFolder folder;
+  LUM_ASSERT_OK(Style style, load_style(AssetRoots::standard(), "cinematic"));
+  style.glsl_path = folder.file("bad.glsl");
+  std::ofstream(style.glsl_path) << "vec3 shade(Surface s) { return vec3(sqrt(-abs(s.albedo.x) - 1.0)); }\n";
+  use_style(style);
+  const Error error = error_of(renderer_->render(*state_));
+  EXPECT_EQ(error.kind, ErrorKind::kStyle);
+  EXPECT_EQ(error.where, style.glsl_path);
+  std::ofstream(style.glsl_path) << "vec3 shade(Surface s) {\n"
+                                    "  return abs(s.position.x) < 0.002 ? vec3(sqrt(s.normal.y - 9.0)) : vec3(1.0);\n"
+                                    "}\n";
+  use_style(style);
+  LUM_ASSERT_OK(const Image picture, renderer_->render(*state_));
+  for (const float v : picture.data) ASSERT_TRUE(std::isfinite(v));
+}
+
+TEST_F(RasterRendererTest, AMistakeInAStyleIsReportedAtItsLine) {
+  TemporaryFolder folder;
+  LUM_ASSERT_OK(Style style, load_style(AssetRoots::standard(), "cinematic"));
+  style.glsl_path = folder.file("broken.glsl");
+  std::ofstream(style.glsl_path) << "vec3 shade(Surface s) {\n  return s.albedo * undeclared;\n}\n";
+  const Error error = error_of(RasterRenderer::create(*device_, scene_, scene_.cameras[0], *types_, style,
+                                                      AssetRoots::standard(), kWidth, kHeight));
+  EXPECT_EQ(error.kind, ErrorKind::kStyle);
+  EXPECT_TRUE(error.where.starts_with(style.glsl_path + ":2")) << error.message();
+}
+
+TEST_F(RasterRendererTest, RefusesAnEmptyPicture) {
+  LUM_ASSERT_OK(const Style style, load_style(AssetRoots::standard(), "cinematic"));
+  EXPECT_EQ(error_of(RasterRenderer::create(*device_, scene_, scene_.cameras[0], *types_, style, AssetRoots::standard(),
+                                            0, 10))
+                .kind,
+            ErrorKind::kUsage);
+}
+
+}  // namespace
+}  // namespace luminist
