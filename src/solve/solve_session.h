@@ -1,5 +1,6 @@
 #pragma once
-// solve/solve_session.h -- one solve, in steps: stopped, continued or cancelled at any time, never worse than its start.
+// solve/solve_session.h -- one solve, in steps: stopped, continued or cancelled at any time, never worse than its
+// start.
 #include <chrono>
 #include <cstdint>
 #include <limits>
@@ -16,9 +17,9 @@ enum class SolverKind { kAuto, kFast, kSimplex };
 struct SolveOptions {
   SolverKind solver = SolverKind::kAuto;
   std::uint64_t seed = 1;
-  double until = 0.0;  ///< stop when epsilon (with penalty) is at most this
+  double until = 0.0;                               ///< stop when epsilon (with penalty) is at most this
   int max_evals = std::numeric_limits<int>::max();  ///< full pictures compared
-  int restarts = -1;   ///< -1: the solver's own stop rule; the simplex restarts until halted
+  int restarts = -1;  ///< -1: the solver's own stop rule; the simplex restarts until halted
 };
 
 enum class Termination { kRunning, kTargetReached, kConverged, kEvalLimit, kStopped };
@@ -27,8 +28,8 @@ enum class Termination { kRunning, kTargetReached, kConverged, kEvalLimit, kStop
 struct ConvergencePoint {
   double render_equivalents = 0.0;
   int evals = 0;
-  double seconds = 0.0;   ///< inside the session; reported, never decided on
-  double epsilon = 0.0;   ///< best so far, on the full picture
+  double seconds = 0.0;  ///< inside the session; reported, never decided on
+  double epsilon = 0.0;  ///< best so far, on the full picture
 };
 
 struct SolveReport {
@@ -37,7 +38,7 @@ struct SolveReport {
   int evals = 0;                    ///< full pictures compared
   double render_equivalents = 0.0;  ///< all work over that of one full picture of the starting rig
   double seconds = 0.0;
-  std::string solver;               ///< what ran: "fast" or "simplex"
+  std::string solver;  ///< what ran: "fast" or "simplex"
   Termination termination = Termination::kRunning;
   std::vector<ConvergencePoint> convergence;
 };

@@ -1,0 +1,259 @@
+#include "solve/fast_solver.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace luminist {
+namespace {
+
+constexpr double kGoodEnough = 0.01;  // of the start's epsilon: nobody sees the rest
+constexpr double kRoundGain = 0.02;   // a round that gains less was idle
+constexpr int kRounds = 8;
+constexpr int kIdleRounds = 2;
+constexpr int kVariants = 48;        // of one light
+constexpr std::size_t kTriaged = 6;  // variants that descend a little
+constexpr int kTriageIterations = 4;
+constexpr std::size_t kPromoted = 3;  // of these, go through all levels
+constexpr int kSimplexSlice = 25;     // evaluations on samples in one step
+
+}  // namespace
+
+/// Coordinates of the parameters that no closed form gives, and the simplex that walks in them.
+struct FastSolver::SampleSimplex {
+  AimMap map;
+  std::vector<std::size_t> coordinate;  // of the map
+  NelderMead walk;
+  int evaluations = 0;
+  int limit = 0;
+  CellPoint best;
+
+  static std::unique_ptr<SampleSimplex> create(const CellProblem& problem, const CellPoint& start, const Vec3& focus,
+                                               double size) {
+    AimMap map(start.state, problem.frame(), focus);
+    std::vector<std::size_t> coordinate;
+    std::vector<double> x;
+    for (std::size_t k = 0; k < map.origin().size(); ++k) {
+      if (problem.parts().scaled_by(map.units().list()[k]) >= 0) continue;
+      coordinate.push_back(k);
+      x.push_back(map.origin()[k]);
+    }
+    if (x.empty()) return nullptr;
+    const int limit = 60 + 30 * static_cast<int>(x.size());
+    NelderMead walk(x, {.size = size, .tolerance = 1e-3, .restarts = 1});
+    return std::make_unique<SampleSimplex>(
+        SampleSimplex{std::move(map), std::move(coordinate), std::move(walk), 0, limit, start});
+  }
+};
+
+FastSolver::~FastSolver() = default;
+
+FastSolver::FastSolver(Renderer& renderer, const Target& target, Progress& progress)
+    : renderer_(&renderer),
+      target_(&target),
+      progress_(&progress),
+      objective_(renderer, progress.best(), target),
+      random_(progress.options().seed) {}
+
+Result<std::unique_ptr<FastSolver>> FastSolver::create(Renderer& renderer, const Target& target, Progress& progress) {
+  std::unique_ptr<FastSolver> solver(new FastSolver(renderer, target, progress));
+  LUM_TRY_VOID(solver->prepare());
+  return solver;
+}
+
+Result<void> FastSolver::prepare() {
+  const ParamState& start = progress_->best();
+  const CellSampler sampler(renderer_->surface(), *target_);
+  const int per_cell = renderer_->style().metric.blur > 0.0F ? 16 : 4;  // a blurred metric sees means
+  const std::uint64_t seed = progress_->options().seed;
+  levels_[0] = {sampler.cut(144, per_cell, seed), {0.12F, 0.15F, 0.3F, 2}, 0.06, 12};
+  levels_[1] = {sampler.cut(256, per_cell, seed + 1), {0.05F, 0.06F, 0.1F, 2}, 0.03, 10};
+  levels_[2] = {sampler.cut(2304, per_cell / 4, seed + 2), {0.0F, 0.0F, 0.0F, 2}, 0.015, 12};
+  LUM_TRY(parts_, PictureParts::create(*renderer_, start, levels_[0].cells.samples));
+  for (const Level& level : levels_) {
+    LUM_TRY(CellProblem problem, CellProblem::create(*renderer_, parts_, level, start, Norm::kUnsquared));
+    problems_.push_back(std::move(problem));
+  }
+  Vec3 sum(0.0F);
+  for (const Vec3& position : levels_[0].cells.position) sum += position;
+  focus_ = sum / static_cast<float>(std::max(1, levels_[0].cells.size()));
+  for (const Dof& dof : objective_.map().list()) {
+    if (parts_.scaled_by(dof) >= 0) continue;
+    if (free_blocks_.empty() || free_blocks_.back() != dof.block) free_blocks_.push_back(dof.block);
+  }
+  return {};
+}
+
+Result<bool> FastSolver::step() {
+  switch (phase_) {
+    case Phase::kStart:
+      LUM_TRY_VOID(compare_start());
+      break;
+    case Phase::kDescend:
+      LUM_TRY_VOID(descend());
+      break;
+    case Phase::kCheck:
+      LUM_TRY_VOID(check());
+      break;
+    case Phase::kExplore:
+      LUM_TRY_VOID(explore());
+      break;
+    case Phase::kTriage:
+      LUM_TRY_VOID(triage());
+      break;
+    case Phase::kSimplex:
+      LUM_TRY_VOID(run_simplex());
+      break;
+    case Phase::kDone:
+      break;
+  }
+  progress_->tally();
+  return phase_ != Phase::kDone;
+}
+
+bool FastSolver::good_enough() const {
+  const SolveReport& report = progress_->report();
+  return report.epsilon <= kGoodEnough * report.epsilon_start;
+}
+
+Result<void> FastSolver::compare_start() {
+  const ParamState start = progress_->best();
+  LUM_TRY(const double epsilon, objective_.evaluate(objective_.unit(start)));
+  progress_->record(start, epsilon);
+  LUM_TRY(incumbent_, problems_[2].measure(start));
+  // The start as it is, with other colours: what descents have to beat.
+  begin_descents({{start, 0}});
+  return {};
+}
+
+void FastSolver::begin_descents(std::deque<Start> starts) {
+  starts_ = std::move(starts);
+  outcome_.reset();
+  descent_.reset();
+  phase_ = Phase::kDescend;
+}
+
+Result<void> FastSolver::descend() {
+  const auto finest = static_cast<int>(levels_.size()) - 1;
+  if (!descent_) {
+    descent_level_ = starts_.front().level;
+    const CellProblem& problem = problems_[static_cast<std::size_t>(descent_level_)];
+    LUM_TRY(CellPoint point, problem.measure(starts_.front().state));
+    descent_.emplace(problem, std::move(point), focus_);
+  }
+  LUM_TRY(const bool more, descent_->iterate());
+  if (more) return {};
+  if (descent_level_ < finest) {
+    starts_.front() = {descent_->point().state, descent_level_ + 1};
+    descent_.reset();
+    return {};
+  }
+  if (!outcome_ || descent_->point().cost < outcome_->cost) outcome_ = descent_->point();
+  descent_.reset();
+  starts_.pop_front();
+  if (starts_.empty()) phase_ = Phase::kCheck;
+  return {};
+}
+
+Result<void> FastSolver::check() {
+  constexpr double kWorthAPicture = 0.995;
+  const bool better = outcome_ && (outcome_->cost < kWorthAPicture * incumbent_->cost || round_ == 0);
+  if (better) {
+    objective_.recentre(outcome_->state);
+    LUM_TRY(const double epsilon, objective_.evaluate(objective_.unit(outcome_->state)));
+    const double best_before = progress_->report().epsilon;
+    progress_->record(outcome_->state, epsilon);
+    if (epsilon < best_before) incumbent_ = std::move(outcome_);
+  }
+  outcome_.reset();
+  begin_round();
+  return {};
+}
+
+void FastSolver::begin_round() {
+  const double epsilon = progress_->report().epsilon;
+  if (round_ > 0) {
+    idle_rounds_ = epsilon < (1.0 - kRoundGain) * epsilon_before_round_ ? 0 : idle_rounds_ + 1;
+  }
+  const int rounds = progress_->options().restarts >= 0 ? progress_->options().restarts : kRounds;
+  if (good_enough() || idle_rounds_ >= kIdleRounds || round_ >= rounds || free_blocks_.empty()) {
+    phase_ = Phase::kDone;
+    return;
+  }
+  epsilon_before_round_ = epsilon;
+  ++round_;
+  pool_.clear();
+  explored_ = triaged_ = 0;
+  phase_ = round_ % 2 == 1 ? Phase::kExplore : Phase::kSimplex;
+}
+
+Result<void> FastSolver::explore() {
+  const CellProblem& problem = problems_[0];
+  const SampleCells& cells = levels_[0].cells;
+  LUM_TRY(const CellPoint here, problem.measure(incumbent_->state));
+  const CellField picture = problem.picture(here);
+  LightPlaces places{cells.position, cells.normal, {}};
+  for (std::size_t c = 0; c < picture.size(); ++c) {
+    places.say.push_back(cells.weight[c] * glm::length(picture[c] - cells.target[c]));
+  }
+  const int block = free_blocks_[explored_++];
+  std::vector<int> touched;
+  for (const Dof& dof : objective_.map().list()) {
+    if (dof.block != block || parts_.scaled_by(dof) >= 0) continue;
+    for (const int part : parts_.touched_by(here.state, dof)) touched.push_back(part);
+  }
+  std::sort(touched.begin(), touched.end());
+  touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+  std::vector<ParamState> states = light_variants(here.state, block, places, renderer_->frame(), kVariants, random_);
+  LUM_TRY(std::vector<CellPoint> points, problem.measure(std::move(states), &here, touched));
+  for (CellPoint& point : points) pool_.push_back(std::move(point));
+  std::stable_sort(pool_.begin(), pool_.end(), [](const CellPoint& a, const CellPoint& b) { return a.cost < b.cost; });
+  if (pool_.size() > kTriaged) pool_.erase(pool_.begin() + static_cast<std::ptrdiff_t>(kTriaged), pool_.end());
+  if (explored_ == free_blocks_.size()) phase_ = Phase::kTriage;
+  return {};
+}
+
+Result<void> FastSolver::triage() {
+  GaussNewton descent(problems_[0], pool_[triaged_], focus_);
+  bool more = true;
+  while (more && descent.iterations() < kTriageIterations) {
+    LUM_TRY(more, descent.iterate());
+  }
+  pool_[triaged_++] = descent.point();
+  if (triaged_ < pool_.size()) return {};
+  std::stable_sort(pool_.begin(), pool_.end(), [](const CellPoint& a, const CellPoint& b) { return a.cost < b.cost; });
+  std::deque<Start> starts{{incumbent_->state, 2}};
+  for (std::size_t i = 0; i < std::min(kPromoted, pool_.size()); ++i) starts.push_back({pool_[i].state, 0});
+  begin_descents(std::move(starts));
+  return {};
+}
+
+Result<void> FastSolver::run_simplex() {
+  const CellProblem& problem = problems_[1];
+  if (!simplex_) {
+    LUM_TRY(CellPoint here, problem.measure(incumbent_->state));
+    simplex_ = SampleSimplex::create(problem, here, focus_, 0.1);
+    if (!simplex_) {
+      phase_ = Phase::kDone;
+      return {};
+    }
+  }
+  SampleSimplex& s = *simplex_;
+  for (int i = 0; i < kSimplexSlice && !s.walk.done() && s.evaluations < s.limit; ++i) {
+    std::vector<double> x = s.map.origin();
+    for (std::size_t k = 0; k < s.coordinate.size(); ++k) x[s.coordinate[k]] = s.walk.point()[k];
+    LUM_TRY(CellPoint point, problem.measure(s.map.at(x)));
+    const double value = point.cost + penalty(x);
+    ++s.evaluations;
+    if (value < s.best.cost) {
+      s.best = std::move(point);
+      s.best.cost = value;
+    }
+    s.walk.tell(value);
+  }
+  if (!s.walk.done() && s.evaluations < s.limit) return {};
+  begin_descents({{s.best.state, 1}});
+  simplex_.reset();
+  return {};
+}
+
+}  // namespace luminist

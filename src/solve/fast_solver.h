@@ -1,0 +1,83 @@
+#pragma once
+// solve/fast_solver.h -- Gauss-Newton on samples, from soft to sharp, with restarts and a simplex on the same samples.
+#include <array>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "solve/gauss_newton.h"
+#include "solve/light_variants.h"
+#include "solve/nelder_mead.h"
+#include "solve/progress.h"
+
+namespace luminist {
+
+/// The search, one bounded piece of work a step:
+///
+/// 1. compare the start on the full picture;
+/// 2. descend (Gauss-Newton) through three levels, from few cells with wide shadow and light edges to many with the
+/// real
+///    ones; compare the outcome on the full picture;
+/// 3. unless that is good enough, rounds: a simplex on the samples, which sees what has no slope (a shadow that should
+///    be elsewhere), or random variants of one light after another, the best of which descend. What is better on the
+///    sharpest level is compared on the full picture.
+///
+/// Ends when the goal is reached or rounds gain nothing. Deterministic by options().seed.
+/// The renderer, target and progress must outlive it. thread: the renderer's.
+class FastSolver final : public Solver {
+ public:
+  /// errors the renderer's.
+  static Result<std::unique_ptr<FastSolver>> create(Renderer& renderer, const Target& target, Progress& progress);
+  Result<bool> step() override;
+
+ private:
+  enum class Phase { kStart, kDescend, kCheck, kExplore, kTriage, kSimplex, kDone };
+  struct Start {
+    ParamState state;
+    int level = 0;  ///< where it begins
+  };
+  struct SampleSimplex;  // a simplex over the parameters that are not solved in closed form
+
+  FastSolver(Renderer& renderer, const Target& target, Progress& progress);
+  Result<void> prepare();
+  Result<void> compare_start();
+  Result<void> descend();
+  Result<void> check();
+  Result<void> explore();
+  Result<void> triage();
+  Result<void> run_simplex();
+  void begin_round();
+  void begin_descents(std::deque<Start> starts);
+  [[nodiscard]] bool good_enough() const;
+
+  Renderer* renderer_;
+  const Target* target_;
+  Progress* progress_;
+  Objective objective_;
+  Random random_;
+  Vec3 focus_{0.0F};
+  PictureParts parts_;
+  std::array<Level, 3> levels_;
+  std::vector<CellProblem> problems_;  ///< one a level
+  std::vector<int> free_blocks_;       ///< blocks with something unlocked besides colours
+
+  Phase phase_ = Phase::kStart;
+  std::deque<Start> starts_;
+  std::optional<GaussNewton> descent_;
+  int descent_level_ = 0;
+  std::optional<CellPoint> incumbent_;  ///< the best point on the sharpest level that was compared in full
+  std::optional<CellPoint> outcome_;    ///< the best of the present descents
+  std::vector<CellPoint> pool_;         ///< variants on the softest level
+  std::size_t explored_ = 0;            ///< free blocks done in this round
+  std::size_t triaged_ = 0;
+  std::unique_ptr<SampleSimplex> simplex_;
+  int round_ = 0;
+  int idle_rounds_ = 0;  ///< in a row without a gain
+  double epsilon_before_round_ = 0.0;
+
+ public:
+  ~FastSolver() override;
+};
+
+}  // namespace luminist

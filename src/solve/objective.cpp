@@ -1,0 +1,43 @@
+#include "solve/objective.h"
+
+#include <cmath>
+#include <limits>
+
+namespace luminist {
+namespace {
+
+UnitMap map_of(const ParamState& state, const SceneFrame& frame) {
+  const std::vector<const ParamBlock*> blocks = state.blocks();
+  return UnitMap::create(blocks, frame);
+}
+
+}  // namespace
+
+Objective::Objective(Renderer& renderer, ParamState centre, const Target& target)
+    : renderer_(&renderer), target_(&target), centre_(std::move(centre)), map_(map_of(centre_, renderer.frame())) {}
+
+Result<double> Objective::evaluate(std::span<const double> x) {
+  LUM_CHECK(static_cast<int>(x.size()) == dofs(), "x has one number per unlocked degree of freedom");
+  LUM_TRY(const double error, renderer_->error(state(x), *target_));
+  const double epsilon = error + penalty(x);
+  return std::isfinite(epsilon) ? epsilon : std::numeric_limits<double>::infinity();
+}
+
+std::vector<double> Objective::unit(const ParamState& state) const {
+  const std::vector<const ParamBlock*> blocks = state.blocks();
+  return map_.to_unit(blocks);
+}
+
+ParamState Objective::state(std::span<const double> x) const {
+  ParamState result = centre_;
+  const std::vector<ParamBlock*> blocks = result.blocks();
+  map_.from_unit(x, blocks);
+  return result;
+}
+
+void Objective::recentre(const ParamState& state) {
+  centre_ = state;
+  map_ = map_of(centre_, renderer_->frame());
+}
+
+}  // namespace luminist

@@ -1,0 +1,153 @@
+#include "solve/solve_session.h"
+
+#include <cmath>
+#include <utility>
+
+#include "solve/fast_solver.h"
+#include "solve/progress.h"
+#include "solve/sample_cells.h"
+#include "solve/simplex_solver.h"
+
+namespace luminist {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double kSimplexSize = 0.1;         // of the paper's solver
+constexpr double kBlurredSimplexSize = 0.2;  // for a metric with plateaus
+
+/// "lights/key, style": the blocks whose locks leave nothing to turn.
+std::string locked_blocks(const ParamState& state) {
+  std::string names;
+  const std::vector<const ParamBlock*> blocks = state.blocks();
+  const std::vector<std::string> paths = state.block_paths();
+  for (std::size_t i = 0; i < blocks.size(); ++i) {
+    if (blocks[i]->schema().dofs() == 0) continue;
+    names += (names.empty() ? "" : ", ") + paths[i];
+  }
+  return names;
+}
+
+}  // namespace
+
+class SolveSession::Impl {
+ public:
+  Impl(Renderer& renderer, ParamState start, Target target, const SolveOptions& options)
+      : renderer_(&renderer), target_(std::move(target)), progress_(renderer, std::move(start), options) {}
+
+  Result<void> begin() {
+    if (progress_.options().solver == SolverKind::kSimplex) {
+      use_simplex({.size = kSimplexSize, .restarts = progress_.options().restarts});
+      return {};
+    }
+    LUM_TRY(solver_, FastSolver::create(*renderer_, target_, progress_));
+    progress_.name_solver("fast");
+    progress_.tally();
+    return {};
+  }
+
+  Result<bool> step() {
+    if (!progress_.running()) return false;
+    const Clock::time_point before = Clock::now();
+    auto more = solver_->step();
+    progress_.add_seconds(std::chrono::duration<double>(Clock::now() - before).count());
+    if (!more) return more;
+    if (progress_.running() && !*more) end_of_solver();
+    if (!progress_.running() && !std::isfinite(progress_.report().epsilon)) {
+      return Error{ErrorKind::kNumerical, "no picture with a finite error was seen", "", "",
+                   "check the target and the lights for values that are not finite"};
+    }
+    return progress_.running();
+  }
+
+  Progress& progress() { return progress_; }
+  [[nodiscard]] const Progress& progress() const { return progress_; }
+
+ private:
+  void use_simplex(const NelderMeadOptions& options) {
+    solver_ = std::make_unique<SimplexSolver>(*renderer_, target_, progress_, options);
+    progress_.name_solver("simplex");
+    by_simplex_ = true;
+  }
+
+  /// `auto` goes on with whole pictures where samples cannot see what the metric sees.
+  void end_of_solver() {
+    const bool automatic = progress_.options().solver == SolverKind::kAuto;
+    if (automatic && !by_simplex_ && renderer_->style().metric.blur > 0.0F) {
+      use_simplex({.size = kBlurredSimplexSize, .restarts = 2, .restart_gain = 0.01});
+      return;
+    }
+    progress_.finish(Termination::kConverged);
+  }
+
+  Renderer* renderer_;
+  Target target_;
+  Progress progress_;
+  std::unique_ptr<Solver> solver_;
+  bool by_simplex_ = false;
+};
+
+SolveSession::SolveSession(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+SolveSession::SolveSession(SolveSession&&) noexcept = default;
+SolveSession& SolveSession::operator=(SolveSession&&) noexcept = default;
+SolveSession::~SolveSession() = default;
+
+Result<SolveSession> SolveSession::create(Renderer& renderer, ParamState start, Target target,
+                                          const SolveOptions& options) {
+  const std::vector<const ParamBlock*> blocks = std::as_const(start).blocks();
+  if (UnitMap::create(blocks, renderer.frame()).dofs() == 0) {
+    return Error{ErrorKind::kNothingToDo, "everything is locked", "", locked_blocks(start),
+                 "unlock what may change, or add a light"};
+  }
+  sanitize(target);
+  if (CellSampler(renderer.surface(), target).nothing_counts()) {
+    return Error{ErrorKind::kNothingToDo, "nothing counts: the importance is zero wherever something is visible", "",
+                 "importance", "paint, or give unpainted pixels some weight"};
+  }
+  auto impl = std::make_unique<Impl>(renderer, std::move(start), std::move(target), options);
+  LUM_TRY_VOID(impl->begin());
+  return SolveSession(std::move(impl));
+}
+
+Result<bool> SolveSession::step() {
+  return impl_->step();
+}
+
+Result<bool> SolveSession::run_for(std::chrono::milliseconds slice) {
+  const Clock::time_point end = Clock::now() + slice;
+  while (true) {
+    LUM_TRY(const bool more, step());
+    if (!more) return false;
+    if (Clock::now() >= end) return true;
+  }
+}
+
+void SolveSession::stop() {
+  impl_->progress().finish(Termination::kStopped);
+}
+
+const ParamState& SolveSession::best() const {
+  return impl_->progress().best();
+}
+
+const SolveReport& SolveSession::report() const {
+  return impl_->progress().report();
+}
+
+const char* to_string(Termination termination) {
+  switch (termination) {
+    case Termination::kRunning:
+      return "running";
+    case Termination::kTargetReached:
+      return "target_reached";
+    case Termination::kConverged:
+      return "converged";
+    case Termination::kEvalLimit:
+      return "eval_limit";
+    case Termination::kStopped:
+      return "stopped";
+  }
+  return "running";
+}
+
+}  // namespace luminist
