@@ -1,0 +1,328 @@
+#include <tiny_gltf.h>
+
+#include <algorithm>
+#include <exception>
+#include <map>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+#include <glm/gtc/quaternion.hpp>
+
+#include "base/files.h"
+#include "scene/gltf_document.h"
+#include "scene/gltf_materials.h"
+#include "scene/readers.h"
+
+namespace luminist {
+namespace {
+
+constexpr int kDeepestNode = 64;
+
+bool inside(int index, std::size_t size) {
+  return index >= 0 && static_cast<std::size_t>(index) < size;
+}
+
+/// The triangles of a strip, a fan or a list of corners.
+std::vector<std::array<std::uint32_t, 3>> triangles_of(const std::vector<std::uint32_t>& corners, int mode) {
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  const std::size_t step = mode == TINYGLTF_MODE_TRIANGLES ? 3 : 1;
+  for (std::size_t i = 0; i + 2 < corners.size(); i += step) {
+    if (mode == TINYGLTF_MODE_TRIANGLE_FAN) {
+      triangles.push_back({corners[0], corners[i + 1], corners[i + 2]});
+    } else if (mode == TINYGLTF_MODE_TRIANGLE_STRIP && i % 2 == 1) {
+      triangles.push_back({corners[i + 1], corners[i], corners[i + 2]});
+    } else {
+      triangles.push_back({corners[i], corners[i + 1], corners[i + 2]});
+    }
+  }
+  return triangles;
+}
+
+/// A camera or light frame: the columns made unit and square, because such a thing cannot be scaled. One that already
+/// is so is kept to the bit.
+Mat4 without_scale(const Mat4& m) {
+  constexpr float kRounding = 1e-5F;
+  const Mat3 defect = glm::transpose(Mat3(m)) * Mat3(m) - Mat3(1.0F);
+  float largest = 0.0F;
+  for (int i = 0; i < 9; ++i) largest = std::max(largest, std::abs(defect[i / 3][i % 3]));
+  if (largest < kRounding && glm::determinant(Mat3(m)) > 0.0F) return m;
+  const Vec3 back = glm::normalize(Vec3(m[2]));
+  const Vec3 right = glm::normalize(glm::cross(Vec3(m[1]), back));
+  return {Vec4(right, 0.0F), Vec4(glm::cross(back, right), 0.0F), Vec4(back, 0.0F), m[3]};
+}
+
+class GltfReader {
+ public:
+  GltfReader(std::string path, const tinygltf::Model& model, Diagnostics& diagnostics)
+      : path_(std::move(path)), model_(&model), diagnostics_(&diagnostics), seen_(model.nodes.size()) {}
+
+  Result<Scene> read();
+
+ private:
+  [[nodiscard]] Error bad(std::string what, std::string field) const {
+    return {ErrorKind::kBadContent, std::move(what), path_, std::move(field), ""};
+  }
+  void warn(std::string what) { diagnostics_->warn(path_, std::move(what)); }
+
+  Result<void> refuse_unknown_compression() const;
+  [[nodiscard]] std::vector<int> roots() const;
+  Result<void> add_node(int index, const Mat4& world_from_parent, int depth);
+  Result<Mat4> local_matrix(int index) const;
+  Result<void> add_objects(const tinygltf::Node& node, const Mat4& world_from_node);
+  Result<int> mesh_index(int mesh, std::size_t primitive);
+  Result<std::optional<Mesh>> read_primitive(const tinygltf::Primitive& primitive, const std::string& field);
+  Result<void> read_attributes(const tinygltf::Primitive& primitive, const std::string& field, Mesh& mesh) const;
+  void add_camera(const tinygltf::Node& node, const Mat4& world_from_node);
+  void add_light(const tinygltf::Node& node, const Mat4& world_from_node);
+  int default_material();
+
+  std::string path_;
+  const tinygltf::Model* model_;
+  Diagnostics* diagnostics_;
+  Scene scene_;
+  std::vector<bool> seen_;
+  std::map<std::pair<int, std::size_t>, int> mesh_of_primitive_;  ///< -1: nothing to show
+  int default_material_ = -1;
+};
+
+Result<void> GltfReader::refuse_unknown_compression() const {
+  for (const std::string& extension : model_->extensionsRequired) {
+    if (extension == "KHR_draco_mesh_compression" || extension == "EXT_meshopt_compression") {
+      return Error{ErrorKind::kBadContent, "the file needs the extension " + extension, path_, "extensionsRequired",
+                   "export it without compression"};
+    }
+  }
+  return {};
+}
+
+std::vector<int> GltfReader::roots() const {
+  if (!model_->scenes.empty()) {
+    const int scene = inside(model_->defaultScene, model_->scenes.size()) ? model_->defaultScene : 0;
+    return model_->scenes[static_cast<std::size_t>(scene)].nodes;
+  }
+  std::vector<bool> has_parent(model_->nodes.size());
+  for (const tinygltf::Node& node : model_->nodes) {
+    for (const int child : node.children) {
+      if (inside(child, has_parent.size())) has_parent[static_cast<std::size_t>(child)] = true;
+    }
+  }
+  std::vector<int> result;
+  for (std::size_t i = 0; i < has_parent.size(); ++i) {
+    if (!has_parent[i]) result.push_back(static_cast<int>(i));
+  }
+  return result;
+}
+
+Result<Mat4> GltfReader::local_matrix(int index) const {
+  const tinygltf::Node& node = model_->nodes[static_cast<std::size_t>(index)];
+  const auto has_size = [](const std::vector<double>& v, std::size_t size) { return v.empty() || v.size() == size; };
+  if (!has_size(node.matrix, 16) || !has_size(node.translation, 3) || !has_size(node.rotation, 4) ||
+      !has_size(node.scale, 3)) {
+    return bad("a transform has a wrong number of values", fmt::format("nodes[{}]", index));
+  }
+  glm::dmat4 m(1.0);
+  if (!node.matrix.empty()) {
+    for (int i = 0; i < 16; ++i) m[i / 4][i % 4] = node.matrix[static_cast<std::size_t>(i)];
+  } else {
+    if (!node.rotation.empty()) {
+      const glm::dquat q(node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2]);
+      if (glm::length(q) > 0.0) m = glm::mat4_cast(glm::normalize(q));
+    }
+    for (int i = 0; i < 3 && !node.scale.empty(); ++i) m[i] *= node.scale[static_cast<std::size_t>(i)];
+    for (int i = 0; i < 3 && !node.translation.empty(); ++i) m[3][i] = node.translation[static_cast<std::size_t>(i)];
+  }
+  return Mat4(m);
+}
+
+Result<void> GltfReader::add_node(int index, const Mat4& world_from_parent, int depth) {
+  const std::string field = fmt::format("nodes[{}]", index);
+  if (!inside(index, model_->nodes.size())) return bad("there is no such node", field);
+  if (depth > kDeepestNode) return bad(fmt::format("nodes nest deeper than {} levels", kDeepestNode), field);
+  if (seen_[static_cast<std::size_t>(index)]) return bad("a node has two parents or is its own ancestor", field);
+  seen_[static_cast<std::size_t>(index)] = true;
+  LUM_TRY(const Mat4 local, local_matrix(index));
+  const Mat4 world = world_from_parent * local;
+  const float volume = std::abs(glm::determinant(Mat3(world)));
+  if (!std::isfinite(volume) || !is_finite(Vec3(world[3]))) return bad("the transform is not finite", field);
+  const tinygltf::Node& node = model_->nodes[static_cast<std::size_t>(index)];
+  if (volume > 0.0F) {
+    if (node.mesh >= 0) LUM_TRY_VOID(add_objects(node, world));
+    if (node.camera >= 0) add_camera(node, world);
+    add_light(node, world);
+  } else {
+    warn(fmt::format("{} is scaled to nothing and is left out", field));
+  }
+  for (const int child : node.children) LUM_TRY_VOID(add_node(child, world, depth + 1));
+  return {};
+}
+
+int GltfReader::default_material() {
+  if (default_material_ < 0) {
+    default_material_ = static_cast<int>(scene_.materials.size());
+    scene_.materials.push_back({.name = "default"});
+  }
+  return default_material_;
+}
+
+Result<void> GltfReader::add_objects(const tinygltf::Node& node, const Mat4& world_from_node) {
+  if (!inside(node.mesh, model_->meshes.size()))
+    return bad("there is no such mesh", fmt::format("meshes[{}]", node.mesh));
+  const tinygltf::Mesh& mesh = model_->meshes[static_cast<std::size_t>(node.mesh)];
+  for (std::size_t i = 0; i < mesh.primitives.size(); ++i) {
+    LUM_TRY(const int index, mesh_index(node.mesh, i));
+    if (index < 0) continue;
+    Object object;
+    object.name = node.name.empty() ? mesh.name : node.name;
+    object.mesh = index;
+    const int material = mesh.primitives[i].material;
+    object.material = inside(material, model_->materials.size()) ? material : default_material();
+    object.world_from_object = world_from_node;
+    object.backdrop =
+        node.extras.Has("backdrop") && node.extras.Get("backdrop").IsBool() && node.extras.Get("backdrop").Get<bool>();
+    scene_.objects.push_back(std::move(object));
+  }
+  return {};
+}
+
+Result<int> GltfReader::mesh_index(int mesh, std::size_t primitive) {
+  const auto [entry, is_new] = mesh_of_primitive_.try_emplace({mesh, primitive}, -1);
+  if (!is_new) return entry->second;
+  const std::string field = fmt::format("meshes[{}].primitives[{}]", mesh, primitive);
+  LUM_TRY(std::optional<Mesh> made,
+          read_primitive(model_->meshes[static_cast<std::size_t>(mesh)].primitives[primitive], field));
+  if (made) {
+    entry->second = static_cast<int>(scene_.meshes.size());
+    scene_.meshes.push_back(std::move(*made));
+  }
+  return entry->second;
+}
+
+Result<std::optional<Mesh>> GltfReader::read_primitive(const tinygltf::Primitive& primitive, const std::string& field) {
+  const int mode = primitive.mode == -1 ? TINYGLTF_MODE_TRIANGLES : primitive.mode;
+  if (mode != TINYGLTF_MODE_TRIANGLES && mode != TINYGLTF_MODE_TRIANGLE_STRIP && mode != TINYGLTF_MODE_TRIANGLE_FAN) {
+    warn(field + " holds points or lines and is left out");
+    return std::optional<Mesh>();
+  }
+  if (primitive.extensions.count("KHR_draco_mesh_compression") > 0 && primitive.indices < 0) {
+    return bad("the mesh is compressed", field);
+  }
+  Mesh mesh;
+  LUM_TRY_VOID(read_attributes(primitive, field, mesh));
+  std::vector<std::uint32_t> corners;
+  if (primitive.indices >= 0) {
+    LUM_TRY(corners, gltf_indices(*model_, primitive.indices, path_, field + ".indices"));
+  } else {
+    corners.resize(mesh.positions.size());
+    for (std::size_t i = 0; i < corners.size(); ++i) corners[i] = static_cast<std::uint32_t>(i);
+  }
+  mesh.triangles = triangles_of(corners, mode);
+  return std::optional<Mesh>(std::move(mesh));
+}
+
+/// Floats in groups of a vector's length, as that vector.
+template <class Vector>
+std::vector<Vector> grouped(const std::vector<float>& numbers) {
+  constexpr auto kLength = static_cast<std::size_t>(Vector::length());
+  std::vector<Vector> result(numbers.size() / kLength);
+  for (std::size_t i = 0; i < numbers.size(); ++i) result[i / kLength][static_cast<int>(i % kLength)] = numbers[i];
+  return result;
+}
+
+Result<void> GltfReader::read_attributes(const tinygltf::Primitive& primitive, const std::string& field,
+                                         Mesh& mesh) const {
+  const auto read = [&](const std::string& name, int components) -> Result<std::vector<float>> {
+    const auto found = primitive.attributes.find(name);
+    if (found == primitive.attributes.end()) return std::vector<float>();
+    return gltf_floats(*model_, found->second, components, path_, field + "." + name);
+  };
+  if (primitive.attributes.count("POSITION") == 0) return bad("a mesh needs positions", field + ".POSITION");
+  LUM_TRY(const std::vector<float> positions, read("POSITION", 3));
+  LUM_TRY(const std::vector<float> normals, read("NORMAL", 3));
+  LUM_TRY(const std::vector<float> tangents, read("TANGENT", 4));
+  LUM_TRY(const std::vector<float> uvs, read(fmt::format("TEXCOORD_{}", gltf_uv_set(*model_, primitive.material)), 2));
+  mesh.positions = grouped<Vec3>(positions);
+  mesh.normals = grouped<Vec3>(normals);
+  mesh.tangents = grouped<Vec4>(tangents);
+  mesh.uvs = grouped<Vec2>(uvs);
+  const std::size_t count = mesh.positions.size();
+  for (const auto& [size, name] : {std::pair(mesh.normals.size(), "NORMAL"), std::pair(mesh.tangents.size(), "TANGENT"),
+                                   std::pair(mesh.uvs.size(), "TEXCOORD")}) {
+    if (size != 0 && size != count) {
+      return bad(fmt::format("{} values for {} vertices", size, count), field + "." + name);
+    }
+  }
+  return {};
+}
+
+void GltfReader::add_camera(const tinygltf::Node& node, const Mat4& world_from_node) {
+  if (!inside(node.camera, model_->cameras.size())) return warn(fmt::format("there is no camera {}", node.camera));
+  const tinygltf::Camera& from = model_->cameras[static_cast<std::size_t>(node.camera)];
+  const bool sound = from.perspective.yfov > 0.0 && from.perspective.yfov < kPi;
+  if (from.type != "perspective" || !sound) {
+    return warn(
+        fmt::format("cameras[{}] is not a perspective camera with a field of view and is left out", node.camera));
+  }
+  Camera camera;
+  camera.name = !node.name.empty() ? node.name : (!from.name.empty() ? from.name : "camera");
+  for (int n = 2; scene_.find_camera(camera.name) != nullptr; ++n) {
+    camera.name = fmt::format("{}-{}", node.name.empty() ? "camera" : node.name, n);
+  }
+  camera.world_from_camera = without_scale(world_from_node);
+  camera.fov_y = static_cast<float>(from.perspective.yfov);
+  camera.near_plane = static_cast<float>(std::max(from.perspective.znear, 0.0));
+  camera.far_plane = static_cast<float>(std::max(from.perspective.zfar, 0.0));
+  scene_.cameras.push_back(std::move(camera));
+}
+
+void GltfReader::add_light(const tinygltf::Node& node, const Mat4& world_from_node) {
+  const auto extension = node.extensions.find("KHR_lights_punctual");
+  if (extension == node.extensions.end() || !extension->second.Has("light")) return;
+  const tinygltf::Value& reference = extension->second.Get("light");
+  const int index = reference.IsNumber() ? reference.GetNumberAsInt() : -1;
+  if (!inside(index, model_->lights.size())) return warn("a node names a light that is not there");
+  const tinygltf::Light& from = model_->lights[static_cast<std::size_t>(index)];
+  const std::map<std::string, PunctualLight::Kind> kinds{{"point", PunctualLight::Kind::kPoint},
+                                                         {"spot", PunctualLight::Kind::kSpot},
+                                                         {"directional", PunctualLight::Kind::kSun}};
+  const auto kind = kinds.find(from.type);
+  if (kind == kinds.end()) return warn(fmt::format("lights[{}] is of the unknown type \"{}\"", index, from.type));
+  PunctualLight light;
+  light.name = !node.name.empty() ? node.name : (!from.name.empty() ? from.name : from.type);
+  light.kind = kind->second;
+  if (from.color.size() == 3) light.color = Vec3(glm::dvec3(from.color[0], from.color[1], from.color[2]));
+  light.intensity = static_cast<float>(std::max(from.intensity, 0.0));
+  light.range = static_cast<float>(std::max(from.range, 0.0));
+  light.outer_angle = static_cast<float>(std::clamp(from.spot.outerConeAngle, 1e-3, 0.5 * kPi));
+  light.inner_angle = static_cast<float>(std::clamp<double>(from.spot.innerConeAngle, 0.0, light.outer_angle));
+  const Mat4 frame = without_scale(world_from_node);
+  light.position = Vec3(frame[3]);
+  light.direction = -Vec3(frame[2]);
+  scene_.lights.push_back(std::move(light));
+}
+
+Result<Scene> GltfReader::read() {
+  LUM_TRY_VOID(refuse_unknown_compression());
+  LUM_TRY_VOID(add_gltf_materials(*model_, path_, scene_, *diagnostics_));
+  for (const int root : roots()) LUM_TRY_VOID(add_node(root, Mat4(1.0F), 1));
+  return std::move(scene_);
+}
+
+}  // namespace
+
+Result<Scene> read_gltf(const std::string& path, Diagnostics& diagnostics) {
+  std::unique_ptr<tinygltf::Model> model;
+  {
+    LUM_TRY(const std::string bytes, read_file(path));
+    LUM_TRY(model, parse_gltf(path, bytes));
+  }
+  try {
+    return GltfReader(path, *model, diagnostics).read();
+  } catch (const std::exception& e) {
+    return Error{ErrorKind::kBadContent, fmt::format("the glTF file makes no sense: {}", e.what()), path, "", ""};
+  }
+}
+
+}  // namespace luminist

@@ -1,0 +1,146 @@
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "scene/framing.h"
+#include "scene/mesh_repair.h"
+#include "scene/readers.h"
+#include "scene/scene.h"
+
+namespace luminist {
+namespace {
+
+constexpr std::size_t kMostTriangles = 20'000'000;
+
+std::string lower_extension(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c); });
+  return extension;
+}
+
+Result<Scene> read_by_extension(const std::string& path, Diagnostics& diagnostics) {
+  const std::string extension = lower_extension(path);
+  if (extension == ".gltf" || extension == ".glb") return read_gltf(path, diagnostics);
+  if (extension == ".obj") return read_obj(path, diagnostics);
+  if (extension == ".ply" || extension == ".stl" || extension == ".off") return read_polygons(path, diagnostics);
+  std::error_code ignored;
+  if (!std::filesystem::exists(path, ignored)) {
+    return Error{ErrorKind::kMissing, "there is no such file", path, "", ""};
+  }
+  return Error{ErrorKind::kBadContent, fmt::format("unknown kind of scene \"{}\"", extension), path, "",
+               "use .glb, .gltf, .obj, .ply, .stl or .off"};
+}
+
+/// Every object gets a name of its own: "name", "name-2", "name-3"...
+void make_names_unique(Scene& scene) {
+  std::set<std::string> taken;
+  std::map<std::string, int> last;
+  for (Object& object : scene.objects) {
+    const std::string wanted = object.name.empty() ? "object" : object.name;
+    object.name = wanted;
+    for (int& n = last.try_emplace(wanted, 1).first->second; !taken.insert(object.name).second;) {
+      object.name = fmt::format("{}-{}", wanted, ++n);
+    }
+  }
+}
+
+/// What messages call a mesh: the object that shows it.
+std::vector<std::string> mesh_labels(const Scene& scene) {
+  std::vector<std::string> labels(scene.meshes.size(), "mesh");
+  for (const Object& object : scene.objects) {
+    labels[static_cast<std::size_t>(object.mesh)] = fmt::format("\"{}\"", object.name);
+  }
+  return labels;
+}
+
+/// Drops the objects that lost all their faces, and the meshes that nothing shows any more.
+void drop_empty(Scene& scene) {
+  std::erase_if(scene.objects, [&](const Object& object) {
+    return scene.meshes[static_cast<std::size_t>(object.mesh)].triangles.empty();
+  });
+  std::vector<int> renamed(scene.meshes.size(), -1);
+  std::vector<Mesh> kept;
+  for (Object& object : scene.objects) {
+    int& index = renamed[static_cast<std::size_t>(object.mesh)];
+    if (index < 0) {
+      index = static_cast<int>(kept.size());
+      kept.push_back(std::move(scene.meshes[static_cast<std::size_t>(object.mesh)]));
+    }
+    object.mesh = index;
+  }
+  scene.meshes = std::move(kept);
+}
+
+/// Takes reflections out of the objects' matrices, so that front faces wind counter-clockwise in the world too.
+void take_out_reflections(Scene& scene) {
+  const Mat4 reflection(Vec4(-1, 0, 0, 0), Vec4(0, 1, 0, 0), Vec4(0, 0, 1, 0), Vec4(0, 0, 0, 1));
+  std::map<int, int> reflected;
+  for (Object& object : scene.objects) {
+    if (glm::determinant(Mat3(object.world_from_object)) >= 0.0F) continue;
+    const auto [entry, is_new] = reflected.try_emplace(object.mesh, static_cast<int>(scene.meshes.size()));
+    if (is_new) scene.meshes.push_back(mirrored(scene.meshes[static_cast<std::size_t>(object.mesh)]));
+    object.mesh = entry->second;
+    object.world_from_object = object.world_from_object * reflection;
+  }
+}
+
+/// Meshes under a material with a normal map need tangents.
+void add_tangents(Scene& scene) {
+  for (const Object& object : scene.objects) {
+    Mesh& mesh = scene.meshes[static_cast<std::size_t>(object.mesh)];
+    const bool wanted = scene.materials[static_cast<std::size_t>(object.material)].normal_texture >= 0;
+    if (wanted && mesh.tangents.size() != mesh.positions.size()) compute_tangents(mesh);
+  }
+}
+
+Result<void> repair(Scene& scene, const std::string& path, bool bare, Diagnostics& diagnostics) {
+  const std::vector<std::string> labels = mesh_labels(scene);
+  for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
+    Mesh& mesh = scene.meshes[i];
+    drop_faulty_faces(mesh, path, labels[i], diagnostics);
+    if (mesh.triangles.empty()) continue;
+    const bool had_normals = mesh.normals.size() == mesh.positions.size();
+    repair_normals(mesh, path, labels[i], diagnostics);
+    // A glTF may mean it (a closed room); a bare mesh without normals that is inside out was written by mistake.
+    if (bare && !had_normals && turn_outside(mesh)) {
+      diagnostics.warn(path, fmt::format("{}: the surface was inside out and was turned", labels[i]));
+    }
+  }
+  drop_empty(scene);
+  if (scene.objects.empty()) {
+    return Error{ErrorKind::kBadContent, "nothing to show: no face is left", path, "",
+                 "export the mesh with its faces"};
+  }
+  take_out_reflections(scene);
+  if (scene.materials.empty()) scene.materials.push_back({.name = "default"});
+  add_tangents(scene);
+  return {};
+}
+
+}  // namespace
+
+Result<Scene> load_scene(const std::string& path, const SceneOptions& options, Diagnostics& diagnostics) {
+  LUM_TRY(Scene scene, read_by_extension(path, diagnostics));
+  if (scene.triangle_count() > kMostTriangles) {
+    return Error{ErrorKind::kLimit,
+                 fmt::format("{} triangles are more than {}", scene.triangle_count(), kMostTriangles), path, "",
+                 "decimate the mesh"};
+  }
+  const std::string extension = lower_extension(path);
+  make_names_unique(scene);
+  LUM_TRY_VOID(repair(scene, path, extension != ".gltf" && extension != ".glb", diagnostics));
+  if (scene.cameras.empty()) scene.cameras.push_back(automatic_camera(scene));
+  add_backdrops(scene, options);
+  make_names_unique(scene);
+  fit_clip_planes(scene);
+  return scene;
+}
+
+}  // namespace luminist

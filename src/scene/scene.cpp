@@ -1,0 +1,50 @@
+#include "scene/scene.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace luminist {
+namespace {
+
+Box bounds_of(const Scene& scene, bool backdrops, bool others) {
+  Box box;
+  for (const Object& object : scene.objects) {
+    if (!(object.backdrop ? backdrops : others)) continue;
+    for (const Vec3& p : scene.meshes[static_cast<std::size_t>(object.mesh)].positions) {
+      box.extend(Vec3(object.world_from_object * Vec4(p, 1.0F)));
+    }
+  }
+  return box;
+}
+
+}  // namespace
+
+Mat4 Camera::clip_from_world(float aspect) const {
+  return glm::perspectiveRH_ZO(fov_y, aspect, near_plane, far_plane) * glm::inverse(world_from_camera);
+}
+
+Box Scene::bounds(bool with_backdrop) const {
+  const Box box = bounds_of(*this, with_backdrop, true);
+  return box.empty() ? bounds_of(*this, true, false) : box;
+}
+
+SceneFrame Scene::frame() const {
+  const Box box = bounds();
+  if (box.empty()) return {};
+  const float radius = box.radius();
+  return {box.center(), radius > 0.0F ? radius : 1.0F};
+}
+
+std::size_t Scene::triangle_count() const {
+  std::size_t count = 0;
+  for (const Object& object : objects) count += meshes[static_cast<std::size_t>(object.mesh)].triangles.size();
+  return count;
+}
+
+const Camera* Scene::find_camera(const std::string& name) const {
+  for (const Camera& camera : cameras) {
+    if (camera.name == name) return &camera;
+  }
+  return nullptr;
+}
+
+}  // namespace luminist
