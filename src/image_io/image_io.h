@@ -1,9 +1,11 @@
 #pragma once
-// image_io/image_io.h -- reading and writing image files. The work is done in a helper process (luminist-image), because
-// OpenImageIO loads hundreds of libraries and some hostile files abort it; this header is all that others see.
+// image_io/image_io.h -- reading and writing image files. The work is done in a helper process (luminist-image),
+// because OpenImageIO loads hundreds of libraries and some hostile files abort it; this header is all that others see.
 #include <map>
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "base/image.h"
 #include "base/result.h"
@@ -17,6 +19,17 @@ enum class Encoding { kAuto, kLinear, kSrgb };
 /// errors kMissing; kBadContent for files that are not what they say; kLimit for sides above 32,768 or more than 2^27
 /// values, refused from the header; kChild if the helper dies or takes more than a minute.
 Result<Image> read_image(const std::string& path, Encoding encoding = Encoding::kAuto);
+
+/// One of many images: a file, or bytes in memory if there are any (then name is for messages).
+struct ImageSource {
+  std::string name;
+  std::string_view bytes;
+  Encoding encoding = Encoding::kAuto;
+};
+
+/// Reads many images in one run of the helper, whose start takes a quarter of a second. [sources.size()] results, each
+/// with its own error; an image that kills the helper does not spoil the others.
+std::vector<Result<Image>> read_images(std::span<const ImageSource> sources);
 
 /// The same from bytes in memory (an image inside a .glb); name is for messages.
 Result<Image> decode_image(std::string_view bytes, const std::string& name, Encoding encoding);

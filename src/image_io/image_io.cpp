@@ -1,0 +1,292 @@
+#include "image_io/image_io.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/files.h"
+#include "base/process.h"
+#include "image_io/packet.h"
+
+namespace luminist {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// LUMINIST_IMAGE_HELPER, or the helper beside the running executable. errors kChild.
+Result<std::string> helper_path() {
+  if (const char* given = std::getenv("LUMINIST_IMAGE_HELPER")) return std::string(given);
+  std::error_code error;
+  const fs::path beside = fs::read_symlink("/proc/self/exe", error).parent_path() / "luminist-image";
+  if (fs::exists(beside, error)) return beside.string();
+  return Error{ErrorKind::kChild, "the helper that reads and writes images is missing", beside.string(), "",
+               "reinstall, or set LUMINIST_IMAGE_HELPER"};
+}
+
+struct Answer {
+  PacketHeader header;
+  std::string text;
+  std::string data;
+};
+
+/// Assembles answers from the helper's output as it arrives, in pieces of any size. Sizes are checked before memory is
+/// taken: the helper may have been taken over by the file it read.
+class AnswerStream {
+ public:
+  void take(std::string_view bytes) {
+    while (!bytes.empty() && !broken_) {
+      if (filled_ < sizeof(PacketHeader)) {
+        copy(bytes, reinterpret_cast<char*>(&answer_.header), sizeof(PacketHeader), 0);
+        if (filled_ == sizeof(PacketHeader)) begin();
+      } else if (filled_ < sizeof(PacketHeader) + answer_.text.size()) {
+        copy(bytes, answer_.text.data(), answer_.text.size(), sizeof(PacketHeader));
+      } else {
+        copy(bytes, answer_.data.data(), answer_.data.size(), sizeof(PacketHeader) + answer_.text.size());
+      }
+      finish_if_complete();
+    }
+  }
+  [[nodiscard]] std::vector<Answer>& complete() { return complete_; }
+
+ private:
+  void copy(std::string_view& bytes, char* to, std::size_t size, std::size_t start) {
+    const std::size_t count = std::min(bytes.size(), start + size - filled_);
+    std::memcpy(to + (filled_ - start), bytes.data(), count);
+    filled_ += count;
+    bytes.remove_prefix(count);
+  }
+  void begin() {
+    const PacketHeader& h = answer_.header;
+    constexpr std::uint64_t kMostText = 1U << 16U;
+    broken_ = h.magic != kPacketMagic || h.text_size > kMostText || h.data_size > kMostFileBytes;
+    if (broken_) return;
+    answer_.text.resize(h.text_size);
+    answer_.data.resize(h.data_size);
+  }
+  void finish_if_complete() {
+    if (broken_ || filled_ < sizeof(PacketHeader)) return;
+    if (filled_ < sizeof(PacketHeader) + answer_.text.size() + answer_.data.size()) return;
+    complete_.push_back(std::move(answer_));
+    answer_ = {};
+    filled_ = 0;
+  }
+
+  Answer answer_;
+  std::size_t filled_ = 0;
+  bool broken_ = false;
+  std::vector<Answer> complete_;
+};
+
+struct Question {
+  PacketHeader header;
+  std::string_view text;
+  std::string_view data;
+};
+
+struct Dialogue {
+  std::vector<Answer> answers;  ///< as many as came before the helper's end
+  ProcessEnd end;
+};
+
+Result<Dialogue> ask(const char* verb, std::span<Question> questions) {
+  LUM_TRY(std::string helper, helper_path());
+  ProcessRequest request;
+  request.arguments = {std::move(helper), verb};
+  for (Question& q : questions) {
+    q.header.text_size = q.text.size(), q.header.data_size = q.data.size();
+    request.input.emplace_back(reinterpret_cast<const char*>(&q.header), sizeof(q.header));
+    request.input.push_back(q.text);
+    request.input.push_back(q.data);
+  }
+  AnswerStream stream;
+  request.on_output = [&stream](std::string_view bytes) { stream.take(bytes); };
+  request.longest_silence = std::chrono::seconds(kSecondsEach);
+  LUM_TRY(ProcessEnd end, run_process(request));
+  return Dialogue{std::move(stream.complete()), std::move(end)};
+}
+
+Error error_of(const Answer& answer, const std::string& name) {
+  constexpr std::array kKinds{ErrorKind::kBadContent, ErrorKind::kLimit, ErrorKind::kChild};
+  const auto kind = static_cast<ErrorKind>(answer.header.status);
+  const bool known = std::find(kKinds.begin(), kKinds.end(), kind) != kKinds.end();
+  std::string what = answer.text;
+  std::replace(what.begin(), what.end(), '\n', ' ');
+  return {known ? kind : ErrorKind::kChild, std::move(what), name, "", ""};
+}
+
+/// Stored numbers to linear floats, by a table for integers.
+template <class Integer>
+void convert(const std::string& data, int channels, bool srgb, std::vector<float>& out) {
+  constexpr std::size_t kValues = std::size_t{1} << (8 * sizeof(Integer));
+  std::vector<float> color(kValues), plain(kValues);
+  for (std::size_t i = 0; i < kValues; ++i) {
+    plain[i] = static_cast<float>(i) / static_cast<float>(kValues - 1);
+    color[i] = srgb ? linear_from_srgb(plain[i]) : plain[i];
+  }
+  const auto count = static_cast<std::size_t>(channels);
+  const std::size_t alpha = count == 2 || count == 4 ? count - 1 : count;  // alpha is never encoded
+  for (std::size_t i = 0; i < out.size(); ++i) {
+    Integer value = 0;
+    std::memcpy(&value, &data[i * sizeof(Integer)], sizeof(Integer));
+    out[i] = (i % count == alpha ? plain : color)[value];
+  }
+}
+
+Result<Image> image_from(const Answer& answer, const ImageSource& source) {
+  const PacketHeader& h = answer.header;
+  if (h.status != 0) return error_of(answer, source.name);
+  const bool known = h.sample == Sample::kByte || h.sample == Sample::kShort || h.sample == Sample::kFloat;
+  const bool allowed = known && size_is_allowed(h.width, h.height, h.channels);
+  const std::uint64_t values = !allowed ? 0
+                                        : static_cast<std::uint64_t>(h.width) * static_cast<std::uint64_t>(h.height) *
+                                              static_cast<std::uint64_t>(h.channels);
+  if (!allowed || h.data_size != values * static_cast<std::uint64_t>(h.sample)) {
+    return Error{ErrorKind::kChild, "the image helper gave a senseless answer", source.name, "", ""};
+  }
+  Image image(h.width, h.height, h.channels);
+  if (h.sample == Sample::kByte)
+    convert<std::uint8_t>(answer.data, h.channels, source.encoding != Encoding::kLinear, image.data);
+  if (h.sample == Sample::kShort)
+    convert<std::uint16_t>(answer.data, h.channels, source.encoding != Encoding::kLinear, image.data);
+  if (h.sample == Sample::kFloat) {
+    std::memcpy(image.data.data(), answer.data.data(), answer.data.size());
+    if (source.encoding == Encoding::kSrgb) {
+      for (float& v : image.data) v = linear_from_srgb(v);
+    }
+  }
+  return image;
+}
+
+Error helper_died(const ProcessEnd& end, const std::string& name) {
+  return {ErrorKind::kChild, "the image helper " + end.description(), name, "", "the image is damaged or too complex"};
+}
+
+/// Asks for the images from `first` on and stores what comes; returns the first image without a result.
+std::size_t read_run(std::span<const ImageSource> sources, std::span<Question> questions,
+                     const std::vector<std::size_t>& order, std::size_t first, std::vector<Result<Image>>& results) {
+  Result<Dialogue> dialogue = ask(kDecodeVerb, questions.subspan(first));
+  if (!dialogue) {
+    for (; first < order.size(); ++first) results[order[first]] = dialogue.error();
+    return first;
+  }
+  for (const Answer& answer : dialogue->answers) {
+    if (first == order.size()) break;
+    results[order[first]] = image_from(answer, sources[order[first]]);
+    ++first;
+  }
+  if (first < order.size()) {
+    results[order[first]] = helper_died(dialogue->end, sources[order[first]].name);
+    ++first;
+  }
+  return first;
+}
+
+std::string encoded_bytes(const Image& image, bool srgb) {
+  std::string bytes(image.data.size(), '\0');
+  const auto count = static_cast<std::size_t>(image.channels);
+  const std::size_t alpha = count == 2 || count == 4 ? count - 1 : count;
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    const float value = std::isnan(image.data[i]) ? 0.0F : std::clamp(image.data[i], 0.0F, 1.0F);
+    const float stored = srgb && i % count != alpha ? srgb_from_linear(value) : value;
+    bytes[i] = static_cast<char>(static_cast<unsigned char>(std::lround(255.0F * stored)));
+  }
+  return bytes;
+}
+
+Result<std::string> encode(const char* verb, const Image& image, std::string_view samples,
+                           const std::map<std::string, std::string>& attributes, const std::string& name) {
+  if (!size_is_allowed(image.width, image.height, image.channels)) {
+    return Error{
+        ErrorKind::kLimit,
+        fmt::format("{} x {} pixels of {} channels are over the limit", image.width, image.height, image.channels),
+        name, "", ""};
+  }
+  std::string text;
+  for (const auto& [key, value] : attributes) text += key + '\0' + value + '\0';
+  Question question;
+  question.header.width = image.width, question.header.height = image.height;
+  question.header.channels = image.channels;
+  question.text = text, question.data = samples;
+  LUM_TRY(Dialogue dialogue, ask(verb, {&question, 1}));
+  if (dialogue.answers.empty()) return helper_died(dialogue.end, name);
+  Answer& answer = dialogue.answers.front();
+  if (answer.header.status != 0) return error_of(answer, name);
+  return std::move(answer.data);
+}
+
+}  // namespace
+
+Result<Image> read_image(const std::string& path, Encoding encoding) {
+  const ImageSource source{path, {}, encoding};
+  return std::move(read_images({&source, 1}).front());
+}
+
+Result<Image> decode_image(std::string_view bytes, const std::string& name, Encoding encoding) {
+  if (bytes.empty()) return Error{ErrorKind::kBadContent, "the image is empty", name, "", ""};
+  const ImageSource source{name, bytes, encoding};
+  return std::move(read_images({&source, 1}).front());
+}
+
+std::vector<Result<Image>> read_images(std::span<const ImageSource> sources) {
+  std::vector<Result<Image>> results(sources.size(), Result<Image>(Image()));
+  std::vector<std::string> files(sources.size());
+  std::vector<Question> questions;
+  std::vector<std::size_t> order;  // question -> source
+  for (std::size_t i = 0; i < sources.size(); ++i) {
+    std::string_view bytes = sources[i].bytes;
+    if (bytes.empty()) {
+      Result<std::string> file = read_file(sources[i].name);
+      if (!file) {
+        results[i] = file.error();
+        continue;
+      }
+      files[i] = std::move(*file);
+      bytes = files[i];
+    }
+    if (bytes.size() > kMostFileBytes) {
+      results[i] = Error{ErrorKind::kLimit, "the image file is too large", sources[i].name, "", ""};
+      continue;
+    }
+    Question question;
+    question.text = sources[i].name, question.data = bytes;
+    questions.push_back(question);
+    order.push_back(i);
+  }
+  for (std::size_t next = 0; next < order.size();) next = read_run(sources, questions, order, next, results);
+  return results;
+}
+
+Result<void> write_image(const std::string& path, const Image& image,
+                         const std::map<std::string, std::string>& attributes) {
+  std::string extension = fs::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return std::tolower(c); });
+  if (extension != ".exr" && extension != ".png") {
+    return Error{ErrorKind::kUsage, fmt::format("cannot write an image of kind \"{}\"", extension), path, "",
+                 "use .exr or .png"};
+  }
+  if (extension == ".png" && image.channels > 4) {
+    return Error{ErrorKind::kUsage, fmt::format("a PNG cannot hold {} channels", image.channels), path, "", "use .exr"};
+  }
+  if (extension == ".exr") {
+    const std::string_view samples(reinterpret_cast<const char*>(image.data.data()), image.data.size() * sizeof(float));
+    LUM_TRY(const std::string bytes, encode(kEncodeExrVerb, image, samples, attributes, path));
+    return write_file_atomic(path, bytes);
+  }
+  LUM_TRY(const std::string bytes, encode(kEncodePngVerb, image, encoded_bytes(image, true), attributes, path));
+  return write_file_atomic(path, bytes);
+}
+
+Result<std::string> encode_png(const Image& image, Encoding encoding) {
+  LUM_CHECK(image.channels <= 4, "a PNG holds up to four channels");
+  return encode(kEncodePngVerb, image, encoded_bytes(image, encoding != Encoding::kLinear), {}, "a PNG in memory");
+}
+
+}  // namespace luminist

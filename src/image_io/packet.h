@@ -1,0 +1,43 @@
+#pragma once
+// image_io/packet.h -- what goes between the library and its helper: one header, a text, then bytes, both ways.
+#include <cstddef>
+#include <cstdint>
+
+namespace luminist {
+
+/// The helper's verbs (its first argument). It answers every packet on its standard input with one on its output.
+inline constexpr const char* kDecodeVerb = "decode";         ///< text: name; data: a file -> header with size; samples
+inline constexpr const char* kEncodeExrVerb = "encode-exr";  ///< text: attributes; data: float samples -> a file
+inline constexpr const char* kEncodePngVerb = "encode-png";  ///< text: attributes; data: 8-bit samples -> a file
+
+enum class Sample : std::uint32_t { kByte = 1, kShort = 2, kFloat = 4 };  ///< the value is the size in bytes
+
+inline constexpr std::uint32_t kPacketMagic = 0x4d494c31;  // "1LIM"
+inline constexpr int kLargestSide = 32'768;
+inline constexpr int kMostChannels = 64;
+inline constexpr std::uint64_t kMostValues = std::uint64_t{1} << 27U;
+inline constexpr std::uint64_t kMostFileBytes = std::uint64_t{1} << 31U;
+/// A file may declare this many times its own bytes: flat pictures compress about 1,000 times, bombs far more.
+inline constexpr std::uint64_t kLargestRatio = 10'000;
+inline constexpr unsigned kSecondsEach = 60;
+
+/// Written as it lies in memory: both ends run on one machine.
+struct PacketHeader {
+  std::uint32_t magic = kPacketMagic;
+  std::uint32_t status = 0;  ///< answers: 0, or an ErrorKind with its message as the text
+  std::int32_t width = 0;
+  std::int32_t height = 0;
+  std::int32_t channels = 0;
+  Sample sample = Sample::kFloat;
+  std::uint64_t text_size = 0;
+  std::uint64_t data_size = 0;
+};
+static_assert(sizeof(PacketHeader) == 40, "no padding");
+
+/// Whether an image of this size may be held. Called by both ends before anything is allocated.
+inline bool size_is_allowed(std::int64_t width, std::int64_t height, std::int64_t channels) {
+  return width >= 1 && width <= kLargestSide && height >= 1 && height <= kLargestSide && channels >= 1 &&
+         channels <= kMostChannels && static_cast<std::uint64_t>(width * height * channels) <= kMostValues;
+}
+
+}  // namespace luminist
