@@ -7,6 +7,8 @@ layout(std430, binding = 2) writeonly buffer Visibility { float visibility[]; };
 layout(binding = 0) uniform sampler2DArrayShadow depth_map;  // near / distance along the view's axis
 
 const float kLeastCosine = 0.1;
+const float kPull = 3.0;
+const float kMostPull = 0.15;
 const int kMostTaps = 64;
 
 uniform uint sample_count;
@@ -41,7 +43,8 @@ float lit_share(vec3 p, vec3 n) {
   vec3 seen = view * way;
   if (!(seen.z > 0.0) || max(abs(seen.x), abs(seen.y)) > seen.z * extent) return 1.0;
 
-  // The filter's disc lies across the way from the light; its taps are moved along their rays onto the receiver's plane.
+  // The filter's disc lies across the way from the light; its taps are moved along their rays towards the light, out
+  // of the receiver's plane and of the corners that it makes with others.
   float reach = length(seen);
   vec3 axis = seen / reach;
   vec3 right = normalize(vec3(1.0, 0.0, 0.0) - axis * axis.x);
@@ -53,7 +56,9 @@ float lit_share(vec3 p, vec3 n) {
   float lit = 0.0;
   for (int i = 0; i < taps; ++i) {
     vec3 tap = axis + softness * (disc[i].x * right + disc[i].y * up);
-    float depth = near_plane / (reach * clamp(1.0 + dot(slope, disc[i]), 0.5, 2.0) * tap.z);
+    float pull = min(kPull * softness * length(disc[i]), kMostPull);
+    float nearer = (1.0 - pull) / (1.0 + max(-dot(slope, disc[i]), 0.0));
+    float depth = near_plane / (reach * nearer * tap.z);
     vec2 uv = 0.5 + 0.5 * tap.xy / (tap.z * extent);
     lit += texture(depth_map, vec4(uv, float(layer), depth));
   }

@@ -45,12 +45,13 @@ std::vector<Vec4> read_centres(const GlBuffer& buffer, std::size_t pixels) {
 }  // namespace
 
 Result<DeepFramebuffer> DeepFramebuffer::create(Device& device, const AssetRoots& roots, const MeshBuffers& meshes,
-                                                const Scene& scene, const Camera& camera, int width, int height) {
+                                                const Scene& scene, const Camera& camera, int width, int height,
+                                                std::size_t band_bytes) {
   DeepFramebuffer deep;
   deep.id_ = device.new_id();
   deep.surface_.width = width;
   deep.surface_.height = height;
-  LUM_TRY(DeepPasses passes, DeepPasses::create(device, roots, meshes, scene, camera, width, height));
+  LUM_TRY(DeepPasses passes, DeepPasses::create(device, roots, meshes, scene, camera, width, height, band_bytes));
   LUM_TRY(Program edges, load_program(device, roots, "edges.comp"));
   LUM_TRY(Program gather, load_program(device, roots, "gather.comp"));
 

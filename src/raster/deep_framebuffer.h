@@ -35,14 +35,18 @@ class DeepFramebuffer {
  public:
   static constexpr std::uint32_t kNoEdge = 0xffffffffU;
   static constexpr int kEdgeSamples = 4;
+  /// Memory for drawing, given back afterwards: a picture of a megapixel is drawn in one piece.
+  static constexpr std::size_t kBandBytes = std::size_t{512} << 20U;
   /// Where the samples of an edge pixel lie, in pixels from its centre; x to the right, y down.
   static constexpr float kEdgeOffsets[kEdgeSamples][2] = {
       {-0.125F, -0.375F}, {0.375F, -0.125F}, {-0.375F, 0.125F}, {0.125F, 0.375F}};
 
   /// width, height in pixels. errors kLimit if they exceed the device's textures or storage blocks, or memory runs out;
-  /// kMissing, kStyle if the shaders are damaged. cost five passes over the triangles, once per camera.
+  /// kMissing, kStyle if the shaders are damaged. cost five passes over the triangles; ten
+  /// for a picture that needs more than band_bytes (about 440 bytes a pixel) to be drawn.
   static Result<DeepFramebuffer> create(Device& device, const AssetRoots& roots, const MeshBuffers& meshes,
-                                        const Scene& scene, const Camera& camera, int width, int height);
+                                        const Scene& scene, const Camera& camera, int width, int height,
+                                        std::size_t band_bytes = kBandBytes);
 
   [[nodiscard]] int width() const { return surface_.width; }
   [[nodiscard]] int height() const { return surface_.height; }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <utility>
 
 #include <glm/gtc/matrix_inverse.hpp>
@@ -66,7 +67,8 @@ Mat4 shift(const float (&offset)[2], int width, int height) {
 }  // namespace
 
 Result<DeepPasses> DeepPasses::create(Device& device, const AssetRoots& roots, const MeshBuffers& meshes,
-                                      const Scene& scene, const Camera& camera, int width, int height) {
+                                      const Scene& scene, const Camera& camera, int width, int height,
+                                      std::size_t band_bytes) {
   LUM_CHECK(width > 0 && height > 0, "a picture has pixels");
   DeepPasses passes;
   passes.meshes_ = &meshes;
@@ -75,7 +77,7 @@ Result<DeepPasses> DeepPasses::create(Device& device, const AssetRoots& roots, c
   passes.height_ = height;
   const std::size_t row_bytes = static_cast<std::size_t>(width) * bytes_per_pixel();
   passes.band_rows_ =
-      static_cast<int>(std::clamp<std::size_t>(kBandBytes / row_bytes, 1, static_cast<std::size_t>(height)));
+      static_cast<int>(std::clamp<std::size_t>(band_bytes / row_bytes, 1, static_cast<std::size_t>(height)));
   const float aspect = static_cast<float>(width) / static_cast<float>(height);
   passes.clip_from_world_ = with_tight_planes(camera, meshes.bounds()).clip_from_world(aspect);
   passes.eye_ = camera.position();

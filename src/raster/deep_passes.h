@@ -1,5 +1,6 @@
 #pragma once
 // raster/deep_passes.h -- the drawing behind a deep framebuffer: a band of the picture, in five passes.
+#include <cstddef>
 #include <vector>
 
 #include "base/files.h"
@@ -12,17 +13,17 @@
 
 namespace luminist {
 
-/// A picture is drawn in horizontal bands, so that the passes' textures (of all attributes, five layers) stay below
-/// kBandBytes; most pictures are one band. Rows of bands count from the bottom, as OpenGL does.
+/// A picture is drawn in horizontal bands, so that the passes' textures (of all attributes, five layers) stay below a
+/// budget of bytes. Rows of bands count from the bottom, as OpenGL does.
 class DeepPasses {
  public:
-  static constexpr std::size_t kBandBytes = std::size_t{512} << 20U;
   static constexpr int kLayers = 5;  ///< pixel centres, and DeepFramebuffer::kEdgeOffsets
 
   /// Uploads the textures of the scene's materials, which go with this object.
   /// errors kLimit for a picture or memory that is too large; kMissing, kStyle for damaged shaders.
   static Result<DeepPasses> create(Device& device, const AssetRoots& roots, const MeshBuffers& meshes,
-                                   const Scene& scene, const Camera& camera, int width, int height);
+                                   const Scene& scene, const Camera& camera, int width, int height,
+                                   std::size_t band_bytes);
 
   [[nodiscard]] int band_count() const { return (height_ + band_rows_ - 1) / band_rows_; }
   [[nodiscard]] int first_row(int band) const { return band * band_rows_; }

@@ -18,6 +18,11 @@ constexpr float kLeastRadius = 2.0F;  // of the filter, in texels
 
 /// The steepest receiver that the filter follows (cosine); steeper ones are nearly black anyway.
 constexpr float kLeastCosine = 0.1F;
+/// Taps outside the filter's core (its share of the radius) are pulled towards the light by this multiple of how far
+/// they lie from it, so that the other wall of a corner does not darken it: the filter narrows, as it would under a
+/// real lamp, for what is nearer to the receiver than the filter is wide.
+constexpr float kPull = 3.0F;
+constexpr float kMostPull = 0.15F;  // of the distance to the light
 
 /// Half the side of a square map that covers the light's shape whichever way it is turned: a superellipse of degree 4
 /// with half axes w, h reaches (w^4 + h^4)^(1/4) from its centre.
@@ -36,6 +41,12 @@ float extent_of(const ParamBlock& params) {
   // Steps of the square root of two: a small change of the shape keeps the map and all that was looked up in it.
   const float stepped = std::exp2(0.5F * std::ceil(2.0F * std::log2(std::max(reach, kLeastExtent))));
   return std::clamp(stepped, kLeastExtent, kMostExtent);
+}
+
+/// Six views of a right angle each, a little wider, so that the filter (to first order 2.1 softnesses at a corner) and
+/// two texels of at most half a softness do not leave the view.
+float cube_extent(float softness) {
+  return std::min(1.0F + 4.0F * softness, kMostExtent);
 }
 
 float softness_of(const ParamBlock& params) {
@@ -68,8 +79,7 @@ ShadowLight shadow_light(const Light& light, const LightTypes& types) {
     if (direction) shadow.direction = glm::normalize(light.params.vec3(*direction));
     shadow.extent = extent_of(light.params);
   } else {
-    // Six views of a right angle each, a little wider, so that the filter does not leave a view.
-    shadow.extent = std::min(1.0F + 2.0F * shadow.softness + 0.01F, kMostExtent);
+    shadow.extent = cube_extent(shadow.softness);
   }
   if (!is_finite(shadow.position) || !is_finite(shadow.direction)) return {};
   fit_size(shadow);
@@ -106,9 +116,9 @@ Vec3 shadow_tap(const ShadowLight& light, const Vec3& receiver, const Vec3& norm
   Vec3 up;
   tangent_frame(axis, right, up);
   const Vec3 across = light.softness * (disc.x * right + disc.y * up);
-  // Where the tap's ray meets the receiver's plane, to first order; that errs towards the light.
   const float slope = glm::dot(across, normal) / std::max(-glm::dot(axis, normal), kLeastCosine);
-  const float reach = distance * std::clamp(1.0F + slope, 0.5F, 2.0F);
+  const float pull = std::min(kPull * light.softness * glm::length(disc), kMostPull);
+  const float reach = distance * (1.0F - pull) / (1.0F + std::max(-slope, 0.0F));
   return light.position + reach * (axis + across);
 }
 

@@ -40,8 +40,9 @@ float receiver_offset(const ShadowLight& light, float distance, float cosine);
 Vec3 shadow_receiver(const ShadowLight& light, const Vec3& position, const Vec3& normal);
 
 /// A tap of the filter: the point that must be seen from the light. `receiver` from shadow_receiver(), `disc` in the
-/// unit disc; the taps lie on the receiver's tangent plane (up to a steepest slope), in a cone of tangent softness
-/// around the way from the light. visibility = mean over the disc of "nothing between the light and the tap".
+/// unit disc. The taps lie in a cone of tangent softness around the way from the light, as far as the receiver but
+/// nowhere under its tangent plane, and the outer ones a little nearer to the light.
+/// visibility = mean over the disc of "nothing between the light and the tap".
 Vec3 shadow_tap(const ShadowLight& light, const Vec3& receiver, const Vec3& normal, const Vec2& disc);
 
 /// Whether the map sees the receiver at all; what it does not see is lit.

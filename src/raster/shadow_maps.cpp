@@ -53,11 +53,9 @@ float near_plane_of(const ShadowLight& light, const Box& bounds) {
   return std::max(0.95F * distance / corner, least);
 }
 
-/// More comparisons where the disc covers more texels, so that its steps stay below what the eye sees.
+/// More comparisons where the disc covers many texels (maps have a least size), so that their steps stay invisible.
 int taps_of(const ShadowLight& light) {
-  const float radius = light.softness / light.texel();
-  if (radius <= 4.5F) return kShadowTaps;
-  return radius <= 7.0F ? 2 * kShadowTaps : kMostTaps;
+  return light.softness <= 4.5F * light.texel() ? kShadowTaps : kMostTaps;
 }
 
 }  // namespace

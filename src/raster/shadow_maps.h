@@ -17,7 +17,7 @@
 
 namespace luminist {
 
-/// Comparisons per sample and light, each filtered over 2 x 2 texels.
+/// Comparisons per sample and light, each filtered over 2 x 2 texels; four times as many for very soft shadows.
 inline constexpr int kShadowTaps = 16;
 
 /// Depth maps of lights (one view of a spot, six of a point) and the visibility of samples in them. Equal ShadowLights
