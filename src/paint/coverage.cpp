@@ -19,30 +19,64 @@ struct Dab {
   double sigma = 0.0;
 };
 
-/// (r / sigma)^2 of a point relative to a dab; infinite for a dab of no size.
-double squared_sigmas(double dx, double dy, double sigma) {
-  return sigma > 0.0 ? (dx * dx + dy * dy) / (sigma * sigma) : std::numeric_limits<double>::infinity();
-}
+/// The dabs between two, as a function of t from 0 to 1: centre a + t e, sigma a.sigma + t growth.
+///
+/// The least (r / sigma)^2 = N(t) / sigma(t)^2 over t has a closed form: with w from a to the point, the numerator of
+/// its derivative is t D - (a.sigma w.e + growth w.w), D = a.sigma e.e + growth w.e, linear in t. Where D > 0 the zero
+/// is the minimum, clamped to [0,1]; elsewhere one end is nearest.
+class DabRow {
+ public:
+  /// Order does not matter; with the larger dab first only the second has no size (unless both have none).
+  static DabRow between(const Dab& one, const Dab& other) {
+    return one.sigma < other.sigma ? DabRow(other, one) : DabRow(one, other);
+  }
 
-/// The least (r / sigma)^2 over the dabs between a and b. With t from a to b, centre and sigma are linear, and the
-/// derivative of N(t) / sigma(t)^2 has a numerator that is linear in t: the one inner extremum has a closed form.
-double least_squared_sigmas(double x, double y, const Dab& a, const Dab& b) {
-  const double wx = x - a.x;
-  const double wy = y - a.y;
-  const double ex = b.x - a.x;
-  const double ey = b.y - a.y;
-  double least = std::min(squared_sigmas(wx, wy, a.sigma), squared_sigmas(x - b.x, y - b.y, b.sigma));
-  const double growth = b.sigma - a.sigma;
-  const double along = wx * ex + wy * ey;
-  const double denominator = a.sigma * (ex * ex + ey * ey) + growth * along;
-  if (denominator > 0.0) {  // otherwise the extremum is a maximum and an end is nearest
-    const double t = (a.sigma * along + growth * (wx * wx + wy * wy)) / denominator;
-    if (t > 0.0 && t < 1.0) {
-      least = std::min(least, squared_sigmas(wx - t * ex, wy - t * ey, a.sigma + t * growth));
+  /// Lowers values[i] to the least (r / sigma)^2 of the pixel (x + i, y) where that is less. A dab of no size
+  /// gives infinity or NaN, and every comparison here then takes the other side.
+  void lower(int x, int y, int count, float* values) const {
+    const DabRow s = *this;  // a copy: stores to values cannot change it, so that the loop is vectorized
+    const auto first = static_cast<float>(x + 0.5 - a_.x);
+    const auto wy = static_cast<float>(y + 0.5 - a_.y);
+    const float squared_length = s.ex_ * s.ex_ + s.ey_ * s.ey_;
+    for (int i = 0; i < count; ++i) {
+      const float wx = first + static_cast<float>(i);
+      const float along = wx * s.ex_ + wy * s.ey_;
+      const float squared = wx * wx + wy * wy;
+      const float to_end = squared - 2.0F * along + squared_length;
+      const float slope = s.sigma_ * squared_length + s.growth_ * along;
+      float t = (s.sigma_ * along + s.growth_ * squared) / slope;
+      t = t > 0.0F ? t : 0.0F;
+      t = t < 1.0F ? t : 1.0F;
+      const float dx = wx - t * s.ex_;
+      const float dy = wy - t * s.ey_;
+      const float sigma = s.sigma_ + t * s.growth_;
+      const float inside = (dx * dx + dy * dy) / (sigma * sigma);
+      const float start = squared * s.inverse_start_;
+      const float end = to_end * s.inverse_end_;
+      const float ends = end < start ? end : start;
+      const float least = slope > 0.0F ? inside : ends;
+      values[i] = least < values[i] ? least : values[i];
     }
   }
-  return least;
-}
+
+ private:
+  DabRow(const Dab& a, const Dab& b)
+      : a_(a),
+        ex_(static_cast<float>(b.x - a.x)),
+        ey_(static_cast<float>(b.y - a.y)),
+        sigma_(static_cast<float>(a.sigma)),
+        growth_(static_cast<float>(b.sigma - a.sigma)),
+        inverse_start_(static_cast<float>(1.0 / (a.sigma * a.sigma))),
+        inverse_end_(static_cast<float>(1.0 / (b.sigma * b.sigma))) {}
+
+  Dab a_;
+  float ex_;
+  float ey_;
+  float sigma_;
+  float growth_;
+  float inverse_start_;
+  float inverse_end_;
+};
 
 /// The pixels whose centres may lie in the tails of the dabs from a to b, inside limits.
 PixelBox reach(const Dab& a, const Dab& b, const PixelBox& limits) {
@@ -90,12 +124,10 @@ Coverage stroke_coverage(std::span<const StrokePoint> points, float diameter, in
   coverage.values.assign(row * static_cast<std::size_t>(box.height()), static_cast<float>(kTail) + 1.0F);
   for (std::size_t i = 0; i + 1 < dabs.size(); ++i) {
     const PixelBox part = reach(dabs[i], dabs[i + 1], picture);
+    const DabRow dab_row = DabRow::between(dabs[i], dabs[i + 1]);
     for (int y = part.y0; y < part.y1; ++y) {
-      float* values = &coverage.values[static_cast<std::size_t>(y - box.y0) * row];
-      for (int x = part.x0; x < part.x1; ++x) {
-        const auto q = static_cast<float>(least_squared_sigmas(x + 0.5, y + 0.5, dabs[i], dabs[i + 1]));
-        values[x - box.x0] = std::min(values[x - box.x0], q);
-      }
+      const std::size_t start = static_cast<std::size_t>(y - box.y0) * row + static_cast<std::size_t>(part.x0 - box.x0);
+      dab_row.lower(part.x0, y, part.width(), &coverage.values[start]);
     }
   }
   for (float& value : coverage.values) value = value <= static_cast<float>(kTail) ? std::exp(-0.5F * value) : 0.0F;

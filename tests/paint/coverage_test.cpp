@@ -102,8 +102,21 @@ TEST(Coverage, VanishesWherePressureDoes) {
 TEST(Coverage, DoesNotChangeWhenAPointIsRepeated) {
   const std::vector<StrokePoint> once = {{0.2F, 0.3F}, {0.7F, 0.6F}};
   const std::vector<StrokePoint> twice = {{0.2F, 0.3F}, {0.2F, 0.3F}, {0.7F, 0.6F}, {0.7F, 0.6F}};
-  EXPECT_EQ(stroke_coverage(once, kDiameter, kSize, kSize).values,
-            stroke_coverage(twice, kDiameter, kSize, kSize).values);
+  const Coverage a = stroke_coverage(once, kDiameter, kSize, kSize);
+  const Coverage b = stroke_coverage(twice, kDiameter, kSize, kSize);
+  ASSERT_EQ(a.values.size(), b.values.size());
+  for (std::size_t i = 0; i < a.values.size(); ++i) ASSERT_NEAR(a.values[i], b.values[i], 1e-6F);  // rounding
+}
+
+TEST(Coverage, OfAPenThatIsLiftedOnAPixelsCentreIsThatOfTheDabsBefore) {
+  // At the tip sigma vanishes with the distance: their ratio stays what it is at the other end.
+  const StrokePoint down{0.305F, 0.505F, 1.0F};
+  const StrokePoint up{0.405F, 0.505F, 0.0F};
+  for (const auto& stroke : {std::vector{down, up}, std::vector{up, down}}) {
+    const Coverage c = stroke_coverage(stroke, kDiameter, kSize, kSize);
+    EXPECT_NEAR(coverage_at(c, 40, 50), std::exp(-2.0), 1e-5);  // 10 pixels from sigma 5
+  }
+  EXPECT_EQ(coverage_at(stroke_coverage(std::vector{up}, kDiameter, kSize, kSize), 40, 50), 0.0F);
 }
 
 TEST(Coverage, IsLimitedToTheStrokesBox) {
