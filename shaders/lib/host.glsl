@@ -8,6 +8,7 @@ layout(std140, binding = LUM_FRAME) uniform LumFrame {
   uint samples;        // samples of one candidate
   uint padded;         // the same, rounded up to whole work groups
   uint candidates;
+  uint run;            // candidates of one invocation
   uint indexed;        // 1: sample i is entry lum_entries[i] of the surface; 0: entry i
 } lum_frame;
 
@@ -42,9 +43,8 @@ Surface lum_surface(uint entry) {
   vec4 position = lum_positions[entry];
   vec4 normal = lum_normals[entry];
   vec4 albedo = lum_albedos[entry];
-  vec3 emissive = lum_candidate.z == LUM_NONE ? vec3(0.0) : lum_emissives[entry].rgb;
   vec3 to_eye = lum_frame.eye.xyz - position.xyz;
   vec3 view = to_eye * inversesqrt(max(dot(to_eye, to_eye), 1e-24));
-  return Surface(position.xyz, normal.xyz, view, albedo.rgb, lum_speculars[entry].rgb, emissive, albedo.a,
-                 floatBitsToUint(position.w), floatBitsToUint(normal.w));
+  return Surface(position.xyz, normal.xyz, view, albedo.rgb, lum_speculars[entry].rgb, lum_emissives[entry].rgb,
+                 albedo.a, floatBitsToUint(position.w), floatBitsToUint(normal.w));
 }

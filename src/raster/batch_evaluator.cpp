@@ -8,8 +8,8 @@
 namespace luminist {
 namespace {
 
-// Values (candidates x samples, columns x samples) of one dispatch: bounds its buffers, far from a device's limits.
-constexpr std::size_t kMaxValues = std::size_t{1} << 22;
+// Candidates x lights x samples of one dispatch: bounds its buffers, far from a device's limits.
+constexpr std::size_t kMaxValues = std::size_t{1} << 23;
 
 Vec3 finite_or_black(const Vec4& color) {
   const Vec3 rgb(color);
@@ -46,16 +46,15 @@ Result<void> BatchEvaluator::evaluate(std::span<const Candidate> candidates, con
 Result<std::size_t> BatchEvaluator::fill_table(std::span<const Candidate> candidates, const SampleSet& samples,
                                                const Softness& softness) {
   const std::size_t count = samples.pixels.size();
+  const std::size_t lights = std::max<std::size_t>(1, candidates.front().state->rig.lights.size());
+  const std::size_t most = std::max<std::size_t>(1, kMaxValues / (count * lights));
+  candidates = candidates.first(std::min(candidates.size(), most));
+  prepare_visibility(candidates, samples, softness);
   table_.clear();
   columns_.clear();
   const auto column_of = [&](const LightRig& rig, int light) { return column(rig, light, samples, softness); };
   std::size_t filled = 0;
-  while (filled < candidates.size()) {
-    const std::size_t values = std::max(filled, columns_.size()) * count;
-    if (filled > 0 && values + count > kMaxValues) break;
-    if (!table_.add(candidates[filled], column_of)) break;
-    ++filled;
-  }
+  while (filled < candidates.size() && table_.add(candidates[filled], column_of)) ++filled;
   if (filled == 0) {
     return Error{ErrorKind::kLimit, "the rig has more lights of one type than this device takes at once", "", "",
                  "remove lights"};
@@ -64,11 +63,25 @@ Result<std::size_t> BatchEvaluator::fill_table(std::span<const Candidate> candid
   return filled;
 }
 
+ShadowLight BatchEvaluator::caster(const LightRig& rig, int light) const {
+  const Light* shared = rig.shadow_light.empty() ? nullptr : rig.find(rig.shadow_light);
+  return shadow_light(shared != nullptr ? *shared : rig.lights[static_cast<std::size_t>(light)], *types_);
+}
+
+void BatchEvaluator::prepare_visibility(std::span<const Candidate> candidates, const SampleSet& samples,
+                                        const Softness& softness) {
+  casters_.clear();
+  for (const Candidate& candidate : candidates) {
+    const LightRig& rig = candidate.state->rig;
+    for (const int light : lit_lights(candidate)) casters_.push_back(caster(rig, light));
+  }
+  std::erase_if(casters_, [](const ShadowLight& light) { return light.kind == ShadowKind::kNone; });
+  visibility_.prepare(casters_, samples, softness);
+}
+
 std::uint32_t BatchEvaluator::column(const LightRig& rig, int light, const SampleSet& samples,
                                      const Softness& softness) {
-  const Light* caster = rig.shadow_light.empty() ? nullptr : rig.find(rig.shadow_light);
-  if (caster == nullptr) caster = &rig.lights[static_cast<std::size_t>(light)];
-  const ShadowLight shadow = shadow_light(*caster, *types_);
+  const ShadowLight shadow = caster(rig, light);
   if (shadow.kind == ShadowKind::kNone) return kNone;
   const float* values = visibility_.column(shadow, samples, softness).data();
   // A column's address names it: candidates that share a light's place share its column.

@@ -26,8 +26,12 @@ class BatchEvaluator {
   [[nodiscard]] double queries() const { return visibility_.queries(); }  ///< rays
 
  private:
+  /// The table of the first candidates, as many as one dispatch takes; returns how many.
   Result<std::size_t> fill_table(std::span<const Candidate> candidates, const SampleSet& samples,
                                  const Softness& softness);
+  /// The light whose shadows light i of the rig has.
+  [[nodiscard]] ShadowLight caster(const LightRig& rig, int light) const;
+  void prepare_visibility(std::span<const Candidate> candidates, const SampleSet& samples, const Softness& softness);
   std::uint32_t column(const LightRig& rig, int light, const SampleSet& samples, const Softness& softness);
   Result<void> shade(const SampleSet& samples, const Softness& softness, std::span<Vec3> out);
 
@@ -37,6 +41,7 @@ class BatchEvaluator {
   const LightTypes* types_;
   SampleVisibility visibility_;
   CandidateTable table_;
+  std::vector<ShadowLight> casters_;   ///< reused
   std::vector<const float*> columns_;  ///< of the dispatch that is being filled
   std::vector<Vec4> colors_;           ///< read back
   GrowingBuffer entry_buffer_{BufferUse::kStorage, "batch entries"};

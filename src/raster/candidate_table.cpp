@@ -33,7 +33,7 @@ std::uint32_t CandidateTable::Blocks::add(std::size_t user, std::span<const std:
   return last[user];
 }
 
-std::vector<int> CandidateTable::lit_lights(const Candidate& candidate) const {
+std::vector<int> lit_lights(const Candidate& candidate) {
   const std::vector<Light>& lights = candidate.state->rig.lights;
   std::vector<int> lit;
   for (int i = 0; i < static_cast<int>(lights.size()); ++i) {

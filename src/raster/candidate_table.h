@@ -12,6 +12,9 @@
 
 namespace luminist {
 
+/// The lights of a candidate's rig that are shaded, by their places: muted ones are left out.
+std::vector<int> lit_lights(const Candidate& candidate);
+
 /// Equal neighbouring blocks are stored once: the candidates of a solve differ in one light or none.
 class CandidateTable {
  public:
@@ -43,7 +46,6 @@ class CandidateTable {
     [[nodiscard]] std::size_t free() const { return array.capacity - bytes.size() / array.stride; }
     std::uint32_t add(std::size_t user, std::span<const std::byte> block);
   };
-  [[nodiscard]] std::vector<int> lit_lights(const Candidate& candidate) const;
   [[nodiscard]] bool fits(const Candidate& candidate, const std::vector<int>& lights) const;
 
   const LightTypes* types_;

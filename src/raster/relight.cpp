@@ -10,6 +10,11 @@ namespace {
 
 constexpr std::size_t kGroup = 64;  // local size of relight.comp
 
+/// Candidates of one invocation: software GL gains from fetching a surface once, hardware from many invocations.
+std::size_t run_length(const DeviceInfo& device) {
+  return device.software ? 8 : 1;
+}
+
 /// LumFrame of shaders/lib/host.glsl.
 struct FrameBlock {
   std::array<float, 4> eye{};
@@ -18,8 +23,9 @@ struct FrameBlock {
   std::uint32_t samples = 0;
   std::uint32_t padded = 0;
   std::uint32_t candidates = 0;
+  std::uint32_t run = 1;
   std::uint32_t indexed = 0;
-  std::array<std::uint32_t, 2> unused{};
+  std::uint32_t unused = 0;
 };
 static_assert(sizeof(FrameBlock) == 48, "as std140 lays it out");
 
@@ -64,6 +70,7 @@ Result<void> Relight::upload(const RelightJob& job) {
   frame.samples = static_cast<std::uint32_t>(job.samples);
   frame.padded = static_cast<std::uint32_t>(padded(job.samples));
   frame.candidates = static_cast<std::uint32_t>(table.size());
+  frame.run = static_cast<std::uint32_t>(run_length(device_->info()));
   frame.indexed = job.entries != nullptr ? 1 : 0;
   frame_.write(0, std::span<const FrameBlock>(&frame, 1));
   const auto write = [](GlBuffer& buffer, std::span<const std::byte> bytes) {
@@ -98,7 +105,8 @@ Result<void> Relight::run(const RelightJob& job) {
   lights_.buffer().bind_storage(binding::kLights);
   job.colors->bind_storage(binding::kColors);
   program_.use();
-  program_.dispatch(*device_, padded(job.samples) * job.table->size(), kGroup);
+  const std::size_t run = run_length(device_->info());
+  program_.dispatch(*device_, padded(job.samples) * ((job.table->size() + run - 1) / run), kGroup);
   return {};
 }
 

@@ -1,9 +1,12 @@
 #include "raster/sample_visibility.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
 #include <initializer_list>
+#include <numeric>
 
 #include "base/check.h"
 
@@ -35,20 +38,47 @@ std::size_t SampleVisibility::KeyHash::operator()(const Key& key) const {
   return hash;
 }
 
-std::span<const float> SampleVisibility::column(const ShadowLight& light, const SampleSet& samples,
-                                                const Softness& softness) {
+SampleVisibility::Key SampleVisibility::key_of(const ShadowLight& light, const SampleSet& samples,
+                                               const Softness& softness) {
   Key key{samples.id, light, std::max(softness.shadow_rays, 1)};
   key.light.softness = std::max(light.softness, softness.shadow_angle);
   key.light.direction = ShadowLight{}.direction;
+  return key;
+}
+
+SampleVisibility::Column& SampleVisibility::touch(const Key& key) {
   if (const auto known = index_.find(key); known != index_.end()) {
     columns_.splice(columns_.begin(), columns_, known->second);
   } else {
-    columns_.push_front({key, trace(key.light, samples, key.rays)});
+    columns_.push_front({key, {}});
     index_[key] = columns_.begin();
-    held_ += samples.pixels.size();
   }
-  LUM_CHECK(columns_.front().lit.size() == samples.pixels.size(), "a set's id stands for its pixels");
-  return columns_.front().lit;
+  return columns_.front();
+}
+
+void SampleVisibility::prepare(std::span<const ShadowLight> lights, const SampleSet& samples,
+                               const Softness& softness) {
+  const std::size_t count = samples.pixels.size();
+  std::vector<Column*> missing;
+  for (const ShadowLight& light : lights) {
+    Column& column = touch(key_of(light, samples, softness));
+    if (column.lit.size() == count) continue;
+    LUM_CHECK(column.lit.empty(), "a set's id stands for its pixels");
+    column.lit.assign(count, 1.0F);
+    missing.push_back(&column);
+  }
+  held_ += missing.size() * count;
+  prepare_discs(count, std::max(softness.shadow_rays, 1));
+  std::vector<std::size_t> traced(missing.size(), 0);
+  tbb::parallel_for(std::size_t{0}, missing.size(), [&](std::size_t i) { traced[i] = trace(*missing[i], samples); });
+  for (const std::size_t rays : traced) queries_ += static_cast<double>(rays);
+}
+
+std::span<const float> SampleVisibility::column(const ShadowLight& light, const SampleSet& samples,
+                                                const Softness& softness) {
+  const Column& column = touch(key_of(light, samples, softness));
+  if (column.lit.size() != samples.pixels.size()) prepare({&light, 1}, samples, softness);
+  return column.lit;
 }
 
 void SampleVisibility::trim() {
@@ -59,31 +89,40 @@ void SampleVisibility::trim() {
   }
 }
 
-std::vector<float> SampleVisibility::trace(const ShadowLight& light, const SampleSet& samples, int ray_count) {
-  std::vector<float> lit(samples.pixels.size(), 1.0F);
-  if (light.kind == ShadowKind::kNone) return lit;
-  segments_.clear();
-  for (std::size_t i = 0; i < lit.size(); ++i) {
+void SampleVisibility::prepare_discs(std::size_t samples, int rays) {
+  if (rays != discs_rays_) discs_.clear();
+  discs_rays_ = rays;
+  for (std::size_t i = discs_.size() / static_cast<std::size_t>(rays); i < samples; ++i) {
+    for (int j = 0; j < rays; ++j) discs_.push_back(sample_disc(static_cast<std::uint32_t>(i), j, rays));
+  }
+}
+
+std::size_t SampleVisibility::trace(Column& column, const SampleSet& samples) const {
+  const ShadowLight& light = column.key.light;
+  if (light.kind == ShadowKind::kNone) return 0;
+  const auto rays_a_sample = static_cast<std::size_t>(column.key.rays);
+  std::vector<Segment> segments;
+  segments.reserve(samples.pixels.size() * rays_a_sample);
+  for (std::size_t i = 0; i < samples.pixels.size(); ++i) {
     const std::size_t pixel = samples.pixels[i];
     if (surface_->object[pixel] == 0) continue;
     const Vec3& normal = surface_->normal[pixel];
     const Vec3 receiver = shadow_receiver(light, surface_->position[pixel], normal);
-    for (int j = 0; j < ray_count; ++j) {
-      const Vec2 disc = sample_disc(static_cast<std::uint32_t>(i), j, ray_count);
-      segments_.push_back({light.position, shadow_tap(light, receiver, normal, disc)});
+    for (std::size_t j = 0; j < rays_a_sample; ++j) {
+      const Vec2& disc = discs_[i * rays_a_sample + j];
+      segments.push_back({light.position, shadow_tap(light, receiver, normal, disc)});
     }
   }
-  blocked_.resize(segments_.size());
-  rays_->occluded(segments_, blocked_);
-  queries_ += static_cast<double>(segments_.size());
-  const unsigned char* answer = blocked_.data();
-  for (std::size_t i = 0; i < lit.size(); ++i) {
+  std::vector<unsigned char> blocked(segments.size());
+  rays_->occluded(segments, blocked);
+  const unsigned char* answer = blocked.data();
+  for (std::size_t i = 0; i < samples.pixels.size(); ++i) {
     if (surface_->object[samples.pixels[i]] == 0) continue;
-    int free = 0;
-    for (int j = 0; j < ray_count; ++j) free += *answer++ == 0 ? 1 : 0;
-    lit[i] = static_cast<float>(free) / static_cast<float>(ray_count);
+    const auto hits = std::accumulate(answer, answer + rays_a_sample, 0U);
+    answer += rays_a_sample;
+    column.lit[i] = 1.0F - static_cast<float>(hits) / static_cast<float>(rays_a_sample);
   }
-  return lit;
+  return segments.size();
 }
 
 }  // namespace luminist

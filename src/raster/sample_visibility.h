@@ -21,10 +21,13 @@ class SampleVisibility {
   SampleVisibility(const RayScene& rays, const SurfaceBuffer& surface,
                    std::size_t budget_values = std::size_t{1} << 24);
 
-  /// [samples.pixels.size()] share of the light that reaches each sample, before its shadow density; valid until the
-  /// next trim(). The filter's radius is at least softness.shadow_angle; softness.shadow_rays rays for each sample,
-  /// placed so that samples next to each other in the set complete each other. A set's id stands for its pixels. Same
-  /// arguments, same bits. cost one ray query per ray if it is not remembered.
+  /// Traces what is not remembered of these lights, on all cores. The filter's radius is at least
+  /// softness.shadow_angle; softness.shadow_rays rays for each sample, placed so that samples next to each other in the
+  /// set complete each other. A set's id stands for its pixels. cost one ray query per ray.
+  void prepare(std::span<const ShadowLight> lights, const SampleSet& samples, const Softness& softness);
+
+  /// [samples.pixels.size()] share of the light that reaches each sample, before its shadow density; prepared if it was
+  /// not; valid until the next trim(). Same arguments, same bits.
   std::span<const float> column(const ShadowLight& light, const SampleSet& samples, const Softness& softness);
 
   /// Forgets what was used longest ago, down to the budget.
@@ -47,7 +50,12 @@ class SampleVisibility {
     Key key;
     std::vector<float> lit;
   };
-  std::vector<float> trace(const ShadowLight& light, const SampleSet& samples, int ray_count);
+  static Key key_of(const ShadowLight& light, const SampleSet& samples, const Softness& softness);
+  /// The column's place in the list, at its front; made, with nothing in it, if there was none.
+  Column& touch(const Key& key);
+  void prepare_discs(std::size_t samples, int rays);
+  /// Fills lit; returns the rays traced.
+  std::size_t trace(Column& column, const SampleSet& samples) const;
 
   const RayScene* rays_;
   const SurfaceBuffer* surface_;
@@ -55,8 +63,8 @@ class SampleVisibility {
   std::size_t held_ = 0;       ///< floats in columns_
   std::list<Column> columns_;  ///< most recently used first
   std::unordered_map<Key, std::list<Column>::iterator, KeyHash> index_;
-  std::vector<Segment> segments_;  ///< reused
-  std::vector<unsigned char> blocked_;
+  std::vector<Vec2> discs_;  ///< sample_disc() of discs_rays_ rays a sample
+  int discs_rays_ = 0;
   double queries_ = 0.0;
 };
 

@@ -51,7 +51,12 @@ SourceChunk blocks_chunk(const std::vector<Block>& blocks, const LightTypes& typ
     text += fmt::format("layout(std140, binding = {}) uniform Lum{}Blocks {{ {} {}[{}]; }};\n", block.binding,
                         block.struct_name, block.struct_name, block.array_name, block.array.capacity);
   }
-  text += "Style style;\nvoid lum_load_blocks() { style = lum_styles[lum_candidate.w]; }\n";
+  text +=
+      "Style style;\n"
+      "void lum_load_candidate(uint candidate) {\n"
+      "  lum_candidate = lum_candidates[candidate];\n"
+      "  style = lum_styles[lum_candidate.w];\n"
+      "}\n";
   const auto color = types.ambient()->by_role("color");
   const std::string value = color ? "lum_ambients[lum_candidate.z]." + (*types.ambient())[*color].name : "vec3(0.0)";
   text += fmt::format("vec3 ambient() {{ return lum_candidate.z == LUM_NONE ? vec3(0.0) : {}; }}\n", value);
