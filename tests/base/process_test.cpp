@@ -1,0 +1,102 @@
+#include "base/process.h"
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <random>
+
+#include "support/fixtures.h"
+
+namespace luminist {
+namespace {
+
+using namespace std::chrono_literals;
+
+ProcessRequest shell(const std::string& script, std::string& output) {
+  ProcessRequest request;
+  request.arguments = {"/bin/sh", "-c", script};
+  request.on_output = [&output](std::string_view bytes) { output += bytes; };
+  return request;
+}
+
+TEST(Process, GivesTheInputAndTakesTheOutputWhateverTheirSize) {
+  std::mt19937 random(1);
+  std::string large(3'000'000, '\0');  // many times what a pipe holds, both ways at once
+  for (char& c : large) c = static_cast<char>(random());
+  std::string output;
+  ProcessRequest request = shell("cat", output);
+  request.input = {"head", "", large, "tail"};
+  LUM_ASSERT_OK(const ProcessEnd end, run_process(request));
+  EXPECT_TRUE(end.ok());
+  EXPECT_TRUE(output == "head" + large + "tail");
+}
+
+TEST(Process, ReportsTheExitStatusAndTheLastErrorLine) {
+  std::string output;
+  LUM_ASSERT_OK(const ProcessEnd end, run_process(shell("echo one >&2; echo two >&2; exit 3", output)));
+  EXPECT_EQ(end.exit_status, 3);
+  EXPECT_EQ(end.errors, "one\ntwo\n");
+  EXPECT_EQ(end.description(), "ended with status 3: two");
+}
+
+TEST(Process, ReportsTheSignalThatEndedTheChild) {
+  std::string output;
+  LUM_ASSERT_OK(const ProcessEnd end, run_process(shell("kill -9 $$", output)));
+  EXPECT_EQ(end.signal, SIGKILL);
+  EXPECT_FALSE(end.ok());
+}
+
+TEST(Process, IsNotDisturbedByAChildThatDoesNotReadItsInput) {
+  const std::string large(3'000'000, 'x');
+  std::string output;
+  ProcessRequest request = shell("echo done", output);
+  request.input = {large};
+  LUM_ASSERT_OK(const ProcessEnd end, run_process(request));  // SIGPIPE would have ended this test
+  EXPECT_EQ(end.exit_status, 0);
+  EXPECT_EQ(output, "done\n");
+}
+
+TEST(Process, EndsASilentChild) {
+  std::string output;
+  ProcessRequest request = shell("exec sleep 60", output);
+  request.longest_silence = 100ms;
+  LUM_ASSERT_OK(const ProcessEnd end, run_process(request));
+  EXPECT_TRUE(end.timed_out);
+  EXPECT_EQ(end.signal, SIGKILL);
+}
+
+TEST(Process, EndsAChildThatClosesItsOutputsAndLingers) {
+  std::string output;
+  ProcessRequest request = shell("exec 1>&- 2>&-; exec sleep 60", output);
+  request.longest_silence = 100ms;
+  LUM_ASSERT_OK(const ProcessEnd end, run_process(request));
+  EXPECT_TRUE(end.timed_out);
+}
+
+TEST(Process, WaitsLongerThanTheLimitForAChildThatKeepsTalking) {
+  std::string output;
+  ProcessRequest request = shell("for i in 1 2 3 4 5 6; do echo $i; sleep 0.1; done", output);
+  request.longest_silence = 400ms;
+  LUM_ASSERT_OK(const ProcessEnd end, run_process(request));
+  EXPECT_TRUE(end.ok());
+  EXPECT_EQ(output, "1\n2\n3\n4\n5\n6\n");
+}
+
+TEST(Process, SaysWhatCannotBeStarted) {
+  ProcessRequest request;
+  request.arguments = {"/no/such/program"};
+  const Error error = error_of(run_process(request));
+  EXPECT_EQ(error.kind, ErrorKind::kChild);
+  EXPECT_EQ(error.where, "/no/such/program");
+}
+
+TEST(Process, KeepsOnlyTheEndOfALongErrorOutput) {
+  std::string output;
+  LUM_ASSERT_OK(const ProcessEnd end,
+                run_process(shell("i=0; while [ $i -lt 4000 ]; do echo line $i >&2; i=$((i+1)); done", output)));
+  EXPECT_LE(end.errors.size(), 16384U);
+  EXPECT_NE(end.errors.find("line 3999"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace luminist
