@@ -46,6 +46,16 @@ std::span<const std::string> peak_words() {
   return words;
 }
 
+std::string quality_range(const BrushQuality& quality) {
+  if (std::holds_alternative<PaintTool Brush::*>(quality.member))
+    return fmt::format("{}", fmt::join(tool_words(), ", "));
+  if (std::holds_alternative<PeakKind Brush::*>(quality.member))
+    return fmt::format("{}", fmt::join(peak_words(), ", "));
+  if (quality.least == quality.most) return "";
+  const std::string unit = *quality.unit == '\0' ? "" : fmt::format(" {}", quality.unit);
+  return fmt::format("{} to {}{}", quality.least, quality.most, unit);
+}
+
 Result<void> check_quality(const Brush& brush, const BrushQuality& quality) {
   bool good = true;
   if (const auto* number = std::get_if<float Brush::*>(&quality.member)) {
@@ -55,9 +65,7 @@ Result<void> check_quality(const Brush& brush, const BrushQuality& quality) {
     good = in_range(c.x, quality) && in_range(c.y, quality) && in_range(c.z, quality);
   }
   if (good) return {};
-  const std::string unit = *quality.unit == '\0' ? "" : fmt::format(" {}", quality.unit);
-  return Error{ErrorKind::kBadContent, fmt::format("must be from {} to {}{}", quality.least, quality.most, unit), "",
-               quality.name, ""};
+  return Error{ErrorKind::kBadContent, "must be from " + quality_range(quality), "", quality.name, ""};
 }
 
 }  // namespace luminist

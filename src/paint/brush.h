@@ -61,6 +61,9 @@ struct BrushQuality {
 };
 std::span<const BrushQuality> brush_qualities();
 
+/// "0 to 16 stops", or the words it may be; empty where anything goes.
+std::string quality_range(const BrushQuality& quality);
+
 /// The words of stroke files, by the enumerators' values.
 std::span<const std::string> tool_words();
 std::span<const std::string> peak_words();

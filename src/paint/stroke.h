@@ -46,4 +46,7 @@ Result<StrokeFile> parse_strokes(const std::string& json, const std::string& pat
 /// One stroke a paragraph, only qualities that differ from the defaults; parses to the same values bit by bit.
 std::string strokes_to_json(const StrokeFile& file);
 
+/// The qualities of a stroke as a Markdown table: name, default, range, what it does.
+std::string stroke_reference();
+
 }  // namespace luminist

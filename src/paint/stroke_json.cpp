@@ -20,9 +20,9 @@ bool read_hex(const std::string& text, Vec3& color) {
   if (text.size() != 7 || text[0] != '#' || text.find_first_not_of("0123456789abcdefABCDEF", 1) != std::string::npos) {
     return false;
   }
+  const int digits = std::stoi(text.substr(1), nullptr, 16);
   for (int c = 0; c < 3; ++c) {
-    const int byte = std::stoi(text.substr(static_cast<std::size_t>(1 + 2 * c), 2), nullptr, 16);
-    color[c] = linear_from_srgb(static_cast<float>(byte) / 255.0F);
+    color[c] = linear_from_srgb(static_cast<float>((digits >> (16 - 8 * c)) & 0xFF) / 255.0F);
   }
   return true;
 }
@@ -313,6 +313,16 @@ std::string strokes_to_json(const StrokeFile& file) {
   for (const Stroke& stroke : file.strokes) strokes += (strokes.empty() ? "\n" : ",\n") + stroke_to_json(stroke);
   return fmt::format("{{\n  \"nu\": {},\n  \"delta\": {},\n  \"strokes\": [{}\n  ]\n}}\n", file.nu, file.delta,
                      strokes);
+}
+
+std::string stroke_reference() {
+  std::string table = "| quality | default | range | |\n|-|-|-|-|\n";
+  const Brush plain;
+  for (const BrushQuality& quality : brush_qualities()) {
+    const std::string value = std::visit([&](auto member) { return to_json(plain.*member); }, quality.member);
+    table += fmt::format("| {} | {} | {} | {} |\n", quality.name, value, quality_range(quality), quality.doc);
+  }
+  return table;
 }
 
 }  // namespace luminist

@@ -114,6 +114,15 @@ TEST(StrokeFile, WritesOnlyWhatDiffersFromTheDefaults) {
             "    {\"opacity\": 0.1, \"points\": [[0.5, 0.25]]}\n  ]\n}\n");
 }
 
+TEST(StrokeReference, NamesEveryQualityWithItsDefaultAndRange) {
+  const std::string table = stroke_reference();
+  for (const BrushQuality& quality : brush_qualities()) {
+    EXPECT_NE(table.find(std::string("| ") + quality.name + " |"), std::string::npos) << quality.name;
+  }
+  EXPECT_NE(table.find("| diameter | 0.1 | 1e-05 to 100 picture heights |"), std::string::npos) << table;
+  EXPECT_NE(table.find("| peak | \"diffuse\" | diffuse, specular |"), std::string::npos) << table;
+}
+
 TEST(StrokeFile, ThatIsNotThereIsMissing) {
   EXPECT_EQ(error_of(load_strokes("/nowhere/paint.json")).kind, ErrorKind::kMissing);
 }
