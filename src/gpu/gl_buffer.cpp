@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <memory>
 
 #include "base/check.h"
 
@@ -24,8 +26,15 @@ Result<void> check_size(const Device& device, BufferUse use, std::size_t bytes, 
 }  // namespace
 
 Result<GlBuffer> GlBuffer::create(Device& device, BufferUse use, std::size_t bytes, const std::string& label) {
-  LUM_TRY(GlBuffer buffer, create_with(device, use, std::span(static_cast<const std::byte*>(nullptr), bytes), label));
-  buffer.fill(0, (bytes + 3) / 4 * 4, 0.0F);
+  LUM_TRY_VOID(check_size(device, use, bytes, label));
+  // Zeros are uploaded and not made by fill(): NVIDIA's driver (580.159) loses a write of more than 64 KiB that follows a
+  // clear.
+  const std::size_t allocated = std::max(kLeastBytes, (bytes + 3) / 4 * 4);
+  const std::unique_ptr<void, decltype(&std::free)> zeros(std::calloc(allocated, 1), &std::free);
+  if (!zeros) return Error{ErrorKind::kLimit, fmt::format("no memory for {} ({} bytes)", label, bytes), "", "", ""};
+  LUM_TRY(GlBuffer buffer,
+          create_with(device, use, std::span(static_cast<const std::byte*>(zeros.get()), allocated), label));
+  buffer.bytes_ = bytes;
   return buffer;
 }
 
@@ -58,8 +67,14 @@ void GlBuffer::read_bytes(std::size_t byte_offset, std::span<std::byte> bytes) c
   LUM_CHECK(byte_offset + bytes.size() <= bytes_, "a read stays inside the buffer");
   if (bytes.empty()) return;
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-  glGetNamedBufferSubData(name(), static_cast<GLintptr>(byte_offset), static_cast<GLsizeiptr>(bytes.size()),
-                          bytes.data());
+  // By way of a copy: a driver that sees a buffer read directly may move it to host memory, where shaders are slow.
+  GLuint staging_name = 0;
+  glCreateBuffers(1, &staging_name);
+  const GlName<remove> staging(staging_name);
+  const auto size = static_cast<GLsizeiptr>(bytes.size());
+  glNamedBufferStorage(staging.get(), size, nullptr, GL_MAP_READ_BIT | GL_CLIENT_STORAGE_BIT);
+  glCopyNamedBufferSubData(name(), staging.get(), static_cast<GLintptr>(byte_offset), 0, size);
+  glGetNamedBufferSubData(staging.get(), 0, size, bytes.data());
 }
 
 void GlBuffer::copy_from(const GlBuffer& source, std::size_t source_offset, std::size_t offset,

@@ -88,6 +88,9 @@ void DeepFramebuffer::read_surface(const Scene& scene, const Vec3& eye) {
   const std::vector<Vec4> normal = read_centres(normal_, pixels);
   const std::vector<Vec4> albedo = read_centres(albedo_, pixels);
   const std::vector<Vec4> specular = read_centres(specular_, pixels);
+  for (std::vector<Vec3>* list : {&surface_.position, &surface_.normal, &surface_.albedo, &surface_.specular}) {
+    list->reserve(pixels);
+  }
   for (std::size_t i = 0; i < pixels; ++i) {
     surface_.position.emplace_back(position[i]);
     surface_.object.push_back(std::bit_cast<std::uint32_t>(position[i].w));
