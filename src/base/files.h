@@ -29,6 +29,7 @@ class AssetRoots {
  public:
   static AssetRoots standard();
   explicit AssetRoots(std::vector<std::filesystem::path> roots) : roots_(std::move(roots)) {}
+  [[nodiscard]] const std::vector<std::filesystem::path>& folders() const { return roots_; }
 
   /// The first root that holds the relative path. errors kMissing, naming the roots that were tried.
   [[nodiscard]] Result<std::filesystem::path> find(const std::filesystem::path& relative) const;

@@ -1,0 +1,39 @@
+#include <CLI/CLI.hpp>
+
+#include <fmt/format.h>
+
+#include "cli/verb.h"
+#include "params/param_text.h"
+#include "rig/light_type.h"
+#include "style/style.h"
+
+namespace luminist {
+namespace {
+
+Result<int> doc(VerbContext& context) {
+  Console& console = context.console;
+  LUM_TRY(const LightTypes types, LightTypes::load(context.roots));
+  console.result(
+      "# Lights\n\nParameters of a light NAME are lights/NAME/PARAMETER; \"free\" ones are unlocked when it is "
+      "added.");
+  for (const LightType& type : types.all()) {
+    console.result(fmt::format("\n## {}\n\n{}\n\n{}", type.name, type.doc, doc_table(*type.schema)));
+  }
+  console.result(
+      fmt::format("\n## ambient\n\nLight without a place: ambient/PARAMETER.\n\n{}", doc_table(*types.ambient())));
+  console.result("\n# Styles\n\nParameters of the style in use are style/PARAMETER.");
+  for (const std::string& name : style_names(context.roots)) {
+    LUM_TRY(const Style style, load_style(context.roots, name));
+    console.result(fmt::format("\n## {}\n\n{}\n\n{}", style.name, style.doc, doc_table(*style.schema)));
+  }
+  return 0;
+}
+
+}  // namespace
+
+Verb declare_doc(CLI::App& app) {
+  app.footer("Example:\n  luminist doc | less");
+  return doc;
+}
+
+}  // namespace luminist

@@ -1,0 +1,44 @@
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "cli/shot_words.h"
+#include "image_io/image_io.h"
+#include "studio/stage.h"
+
+namespace luminist {
+namespace {
+
+struct Words {
+  ShotWords shot;
+  std::string output;
+};
+
+Result<int> render(const Words& words, VerbContext& context) {
+  LUM_TRY(const Shot shot, shot_from(words.shot));
+  LUM_TRY_VOID(check_image_output(words.output));
+  LUM_TRY(Device device, Device::create_headless());
+  Diagnostics diagnostics;
+  auto stage = open_stage(device, context.roots, shot, ".", diagnostics);
+  context.console.warn(diagnostics);
+  if (!stage) return std::move(stage).error();
+  LUM_TRY(const ParamState state, starting_state(**stage, context.roots, shot, "."));
+  LUM_TRY(const Image picture, (*stage)->renderer->render(state));
+  LUM_TRY_VOID(write_image(words.output, picture));
+  context.console.result(words.output);
+  return 0;
+}
+
+}  // namespace
+
+Verb declare_render(CLI::App& app) {
+  const auto words = std::make_shared<Words>();  // the parser and the returned function both use it
+  declare_shot(app, words->shot);
+  app.add_option("-o,--output", words->output, "Picture: .exr (linear) or .png")->required();
+  app.footer(
+      "Examples:\n"
+      "  luminist render meshes/still_life/still_life.glb -o dim.png\n"
+      "  luminist render model.obj --floor --wall --style toon --set style/threshold=0.4 --size 1280x720 -o model.exr");
+  return [words](VerbContext& context) { return render(*words, context); };
+}
+
+}  // namespace luminist

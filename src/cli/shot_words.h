@@ -1,0 +1,31 @@
+#pragma once
+// cli/shot_words.h -- SHOT = SCENE [--camera C] [--size WxH] [--rig R] [--style A] [--set path=value]... [--floor]
+// [--wall]
+#include <string>
+#include <vector>
+
+#include "cli/verb.h"
+#include "studio/shot.h"
+
+namespace luminist {
+
+/// The words of a shot as they were typed.
+struct ShotWords {
+  Shot shot;
+  std::string size;
+  std::string style;
+};
+
+/// The words that render, paint and solve share.
+void declare_shot(CLI::App& app, ShotWords& words);
+
+/// errors kUsage for a size that is not WxH and for more than one style.
+Result<Shot> shot_from(const ShotWords& words);
+
+/// Whether an image can be written there, tried before long work: the ending is .exr or .png and the folder takes
+/// files. errors kUsage, kUnwritable.
+Result<void> check_image_output(const std::string& path);
+/// Makes the folder and tries it. errors kUnwritable.
+Result<void> check_folder_output(const std::string& path);
+
+}  // namespace luminist

@@ -1,0 +1,46 @@
+#pragma once
+// studio/golden.h -- a style's golden pictures: rendered again and compared.
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "base/diagnostics.h"
+#include "base/files.h"
+#include "base/image.h"
+#include "gpu/device.h"
+#include "style/style.h"
+
+namespace luminist {
+
+/// How a picture differs from its reference.
+struct PictureDifference {
+  std::string fault;            ///< "" or why the two cannot be compared: size, channels, pixels that are not finite
+  double max_difference = 0.0;  ///< of any channel of any pixel: |a - b| / max(1, |b|)
+  double mean_difference = 0.0;
+};
+
+/// In this order: size, channels, number of values that are not finite, then the two numbers.
+PictureDifference compare_pictures(const Image& picture, const Image& reference);
+
+struct GoldenOutcome {
+  GoldenCase golden;
+  bool passed = false;
+  std::string verdict;  ///< one sentence without a full stop
+  bool has_reference = false;
+  PictureDifference difference;
+};
+
+/// Renders a case to output/NAME.exr (and .png), compares it with the style's golden/NAME.exr and writes
+/// NAME.reference.png and NAME.difference.png beside it. A missing reference fails; the candidate stays.
+/// errors those of rendering and writing: a picture that differs is an outcome.
+Result<GoldenOutcome> run_golden(Device& device, const AssetRoots& roots, const Style& style, const GoldenCase& golden,
+                                 const std::filesystem::path& output, Diagnostics& diagnostics);
+
+/// Makes the candidate of a case the style's reference. errors kMissing, kUnwritable.
+Result<void> accept_golden(const Style& style, const GoldenCase& golden, const std::filesystem::path& output);
+
+/// output/index.html: new, reference and difference side by side. errors kUnwritable.
+Result<void> write_golden_page(const std::string& style, const std::vector<GoldenOutcome>& outcomes,
+                               const std::filesystem::path& output);
+
+}  // namespace luminist

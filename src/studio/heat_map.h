@@ -1,0 +1,17 @@
+#pragma once
+// studio/heat_map.h -- numbers as colours.
+#include "base/image.h"
+
+namespace luminist {
+
+/// A colour for t in [0,1] (clamped), linear RGB: black over violet and orange to pale yellow. Lightness grows evenly
+/// (straight lines in OKLab, Ottosson 2020), so that equal steps of t look equally large, also without colour.
+Vec3 heat_color(float t);
+
+/// The first channel of an image in such colours; `white` is the value of t = 1.
+Image heat_map(const Image& values, float white);
+
+/// The value below which that share (in [0,1]) of an image's first channel lies. cost O(pixels).
+float quantile(const Image& values, double share);
+
+}  // namespace luminist

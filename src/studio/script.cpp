@@ -1,0 +1,224 @@
+#include "studio/script.h"
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "image_io/image_io.h"
+#include "paint/stroke.h"
+#include "studio/script_runner.h"
+
+namespace luminist {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kSheetColumn = 320;
+const std::vector<std::string> kNone;
+
+}  // namespace
+
+const std::vector<ScriptRunner::Verb>& ScriptRunner::verbs() {
+  using R = ScriptRunner;
+  static const std::vector<Verb> verbs = {
+      {"open", {"scene", "project", "camera", "size", "style", "rig", "set", "floor", "wall"}, &R::open},
+      {"set", {"path", "value", "values"}, &R::set},
+      {"lock", {"pattern"}, &R::lock},
+      {"unlock", {"pattern"}, &R::lock},
+      {"add_light", {"type", "name", "group", "from_paint"}, &R::add_light},
+      {"remove_light", {"light"}, &R::remove_light},
+      {"mute", {"light", "muted"}, &R::mute},
+      {"share_shadows", {"light"}, &R::share_shadows},
+      {"load_rig", {"rig"}, &R::load_rig},
+      {"style", {"name"}, &R::style},
+      {"paint", {"strokes", "path"}, &R::paint},
+      {"importance", {"nu", "delta"}, &R::importance},
+      {"target", {"image", "importance"}, &R::target},
+      {"clear_paint", kNone, &R::clear_paint},
+      {"solve", {"solver", "seed", "max_evals", "until", "restarts", "seconds"}, &R::solve},
+      {"accept", kNone, &R::accept},
+      {"revert", kNone, &R::revert},
+      {"undo", {"steps"}, &R::step_history},
+      {"redo", {"steps"}, &R::step_history},
+      {"export", {"to", "label"}, &R::write},
+      {"contact_sheet", {"to"}, &R::sheet},
+      {"save", {"project"}, &R::save},
+  };
+  return verbs;
+}
+
+Result<void> ScriptRunner::run(const Action& action) {
+  const auto verb =
+      std::find_if(verbs().begin(), verbs().end(), [&](const Verb& each) { return each.name == action.verb(); });
+  if (verb == verbs().end()) {
+    std::vector<std::string> names;
+    for (const Verb& each : verbs()) names.push_back(each.name);
+    Error error = action.wrong(fmt::format("there is no action \"{}\"", action.verb()), "do");
+    const std::string near = nearest_name(action.verb(), names);
+    error.hint =
+        near.empty() ? fmt::format("there are: {}", fmt::join(names, ", ")) : fmt::format("did you mean \"{}\"?", near);
+    return error;
+  }
+  LUM_TRY_VOID(action.check_fields(verb->fields));
+  if (!session_ && action.verb() != "open") return action.wrong("nothing is open yet; begin with \"open\"", "do");
+  if (events_.started) events_.started(action.where(), action.verb());
+  return (this->*verb->run)(action);
+}
+
+Result<void> ScriptRunner::open(const Action& action) {
+  if (action.has("project")) {
+    LUM_TRY(const std::string name, action.needed_text("project"));
+    LUM_TRY(const std::string path, find_input(name, folder_, roots_));
+    session_.reset();  // lets go of a lock on the same project
+    LUM_TRY(session_, Session::open_project(*device_, roots_, path, Project::Access::kWrite, *diagnostics_));
+    return {};
+  }
+  Shot shot;
+  LUM_TRY(shot.scene, action.needed_text("scene"));
+  LUM_TRY(const auto camera, action.text("camera"));
+  LUM_TRY(const auto size, action.size("size"));
+  LUM_TRY(const auto style, action.text("style"));
+  LUM_TRY(const auto rig, action.text("rig"));
+  LUM_TRY(shot.set, action.texts("set"));
+  LUM_TRY(const auto floor, action.flag("floor"));
+  LUM_TRY(const auto wall, action.flag("wall"));
+  shot.camera = camera.value_or("");
+  if (size) shot.width = size->first, shot.height = size->second;
+  shot.style = style.value_or(shot.style);
+  shot.rig = rig.value_or("");
+  shot.scene_options = {floor.value_or(false), wall.value_or(false)};
+  LUM_TRY(session_, Session::open(*device_, roots_, shot, folder_, *diagnostics_));
+  return {};
+}
+
+Result<void> ScriptRunner::set(const Action& action) {
+  LUM_TRY(std::vector<std::string> assignments, action.texts("values"));
+  if (action.has("path")) {
+    LUM_TRY(const std::string path, action.needed_text("path"));
+    LUM_TRY(const std::string value, action.value_text("value"));
+    assignments.push_back(path + "=" + value);
+  }
+  if (assignments.empty()) return action.wrong("\"set\" needs a path and a value", "path");
+  return session_->set(assignments);
+}
+
+Result<void> ScriptRunner::lock(const Action& action) {
+  LUM_TRY(const std::vector<std::string> patterns, action.texts("pattern"));
+  if (patterns.empty()) return action.wrong(fmt::format("\"{}\" needs this field", action.verb()), "pattern");
+  for (const std::string& pattern : patterns) {
+    LUM_TRY_VOID(session_->set_locked(pattern, action.verb() == "lock"));
+  }
+  return {};
+}
+
+Result<void> ScriptRunner::add_light(const Action& action) {
+  NewLight light;
+  LUM_TRY(const auto type, action.text("type"));
+  LUM_TRY(const auto name, action.text("name"));
+  LUM_TRY(const auto group, action.text("group"));
+  LUM_TRY(const auto from_paint, action.flag("from_paint"));
+  light.type = type.value_or(light.type);
+  light.name = name.value_or(light.name);
+  light.group = group.value_or("");
+  light.from_paint = from_paint.value_or(true);
+  LUM_TRY_VOID(session_->add_light(light));
+  return {};
+}
+
+Result<void> ScriptRunner::remove_light(const Action& action) {
+  LUM_TRY(const std::string light, action.needed_text("light"));
+  return session_->remove_light(light);
+}
+
+Result<void> ScriptRunner::mute(const Action& action) {
+  LUM_TRY(const std::string light, action.needed_text("light"));
+  LUM_TRY(const auto muted, action.flag("muted"));
+  return session_->set_muted(light, muted.value_or(true));
+}
+
+Result<void> ScriptRunner::share_shadows(const Action& action) {
+  LUM_TRY(const std::string light, action.needed_text("light"));
+  return session_->share_shadows(light);
+}
+
+Result<void> ScriptRunner::load_rig(const Action& action) {
+  LUM_TRY(const std::string rig, action.needed_text("rig"));
+  return session_->load_rig(rig, folder_);
+}
+
+Result<void> ScriptRunner::style(const Action& action) {
+  LUM_TRY(const std::string name, action.needed_text("name"));
+  return session_->restyle(name);
+}
+
+Result<void> ScriptRunner::paint(const Action& action) {
+  if (const auto inline_strokes = action.object("strokes")) {
+    LUM_TRY(const StrokeFile strokes, parse_strokes(*inline_strokes, action.where()));
+    return session_->paint(strokes, (folder_ / "strokes").string());
+  }
+  LUM_TRY(const std::string name, action.needed_text("strokes"));
+  LUM_TRY(const std::string path, find_input(name, folder_, roots_));
+  LUM_TRY(const StrokeFile strokes, load_strokes(path));
+  return session_->paint(strokes, path);
+}
+
+Result<void> ScriptRunner::importance(const Action& action) {
+  LUM_TRY(const auto nu, action.number("nu"));
+  LUM_TRY(const auto delta, action.number("delta"));
+  if (!nu || !delta) return action.wrong("\"importance\" needs nu and delta", nu ? "delta" : "nu");
+  return session_->set_importance(static_cast<float>(*nu), static_cast<float>(*delta));
+}
+
+Result<void> ScriptRunner::target(const Action& action) {
+  LUM_TRY(const std::string name, action.needed_text("image"));
+  LUM_TRY(const std::string path, find_input(name, folder_, roots_));
+  LUM_TRY(const Image color, read_image(path));
+  LUM_TRY(const auto importance_name, action.text("importance"));
+  std::optional<Image> importance;
+  if (importance_name) {
+    LUM_TRY(const std::string importance_path, find_input(*importance_name, folder_, roots_));
+    LUM_TRY(importance, read_image(importance_path, Encoding::kLinear));
+  }
+  return session_->set_target(color, importance);
+}
+
+Result<void> ScriptRunner::clear_paint(const Action&) {
+  return session_->clear_paint();
+}
+Result<void> ScriptRunner::accept(const Action&) {
+  return session_->accept();
+}
+Result<void> ScriptRunner::revert(const Action&) {
+  return session_->revert();
+}
+
+Result<void> ScriptRunner::step_history(const Action& action) {
+  LUM_TRY(const auto steps, action.number("steps"));
+  for (int i = 0; i < static_cast<int>(steps.value_or(1.0)); ++i) {
+    LUM_TRY_VOID(action.verb() == "undo" ? session_->undo() : session_->redo());
+  }
+  return {};
+}
+
+Result<void> ScriptRunner::sheet(const Action& action) {
+  LUM_TRY(const std::string name, action.needed_text("to"));
+  if (rows_.empty()) return action.wrong("nothing was exported yet", "do");
+  const fs::path path = output_ / name;
+  LUM_TRY_VOID(make_folder(path.parent_path()));
+  LUM_TRY_VOID(write_image(path.string(),
+                           contact_sheet({"painted", "importance (black counts)", "solved"}, rows_, kSheetColumn)));
+  if (events_.written) events_.written(path);
+  return {};
+}
+
+Result<void> ScriptRunner::save(const Action& action) {
+  LUM_TRY(const auto project, action.text("project"));
+  if (!project) return session_->save();
+  LUM_TRY_VOID(session_->save_as(output_ / *project));
+  if (events_.written) events_.written(output_ / *project);
+  return {};
+}
+
+}  // namespace luminist

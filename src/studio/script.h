@@ -1,0 +1,30 @@
+#pragma once
+// studio/script.h -- action scripts: whatever a hand can do, a log can do too.
+#include <filesystem>
+#include <functional>
+#include <string>
+
+#include "studio/results.h"
+
+namespace luminist {
+
+/// Who runs a script hears about it here; any of these may be empty.
+struct ScriptEvents {
+  std::function<void(const std::string& line, const std::string& verb)> started;  ///< "script.jsonl:3", "paint"
+  Session::SolveWatch watch;  ///< false: stop the solve and the script
+  std::function<void(const SolveReport&, const ParamState&)> solved;
+  std::function<void(const std::filesystem::path&)> written;
+};
+
+/// Runs the lines of a script, or brings a recorded project (NAME.lum, or its log.jsonl) to its last state.
+///
+/// A line is a JSON object with "do": open, set, lock, unlock, add_light, remove_light, mute, share_shadows, load_rig,
+/// style, paint, importance, target, clear_paint, solve, accept, revert, undo, redo, export, contact_sheet, save. Empty
+/// lines and lines that begin with # are skipped. Inputs are looked for beside the script, then below the asset roots;
+/// outputs go below `output`. A project is replayed by its recorded effects and exported to `output`.
+/// errors those of the actions, at script:line with the field; kCancelled if watch said so, after the best so far was
+/// exported to output/stopped.
+Result<void> run_script(Device& device, const AssetRoots& roots, const std::filesystem::path& path,
+                        const std::filesystem::path& output, const ScriptEvents& events, Diagnostics& diagnostics);
+
+}  // namespace luminist

@@ -1,0 +1,70 @@
+#pragma once
+// studio/script_runner.h -- the actions of a script, one function each.
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "studio/action.h"
+#include "studio/script.h"
+
+namespace luminist {
+
+/// Runs actions on one session, which "open" makes.
+class ScriptRunner {
+ public:
+  /// folder: where inputs are looked for first; output: where everything is written.
+  ScriptRunner(Device& device, const AssetRoots& roots, std::filesystem::path folder, std::filesystem::path output,
+               const ScriptEvents& events, Diagnostics& diagnostics)
+      : device_(&device),
+        roots_(roots),
+        folder_(std::move(folder)),
+        output_(std::move(output)),
+        events_(events),
+        diagnostics_(&diagnostics) {}
+
+  /// errors those of the action; kBadContent for an unknown one (nearest name) or an unknown field.
+  Result<void> run(const Action& action);
+  /// Brings a recorded project to its last state and exports it.
+  Result<void> replay_project(const std::filesystem::path& folder);
+
+ private:
+  struct Verb {
+    std::string name;
+    std::vector<std::string> fields;
+    Result<void> (ScriptRunner::*run)(const Action&);
+  };
+  static const std::vector<Verb>& verbs();
+
+  Result<void> open(const Action& action);
+  Result<void> set(const Action& action);
+  Result<void> lock(const Action& action);
+  Result<void> add_light(const Action& action);
+  Result<void> remove_light(const Action& action);
+  Result<void> mute(const Action& action);
+  Result<void> share_shadows(const Action& action);
+  Result<void> load_rig(const Action& action);
+  Result<void> style(const Action& action);
+  Result<void> paint(const Action& action);
+  Result<void> importance(const Action& action);
+  Result<void> target(const Action& action);
+  Result<void> clear_paint(const Action& action);
+  Result<void> solve(const Action& action);
+  Result<void> accept(const Action& action);
+  Result<void> revert(const Action& action);
+  Result<void> step_history(const Action& action);
+  Result<void> write(const Action& action);
+  Result<void> sheet(const Action& action);
+  Result<void> save(const Action& action);
+  Result<void> export_to(const std::filesystem::path& folder, const std::string& label);
+
+  Device* device_;
+  AssetRoots roots_;
+  std::filesystem::path folder_;
+  std::filesystem::path output_;
+  ScriptEvents events_;
+  Diagnostics* diagnostics_;
+  std::unique_ptr<Session> session_;
+  std::vector<SheetRow> rows_;  ///< what was exported so far
+};
+
+}  // namespace luminist

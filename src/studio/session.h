@@ -1,0 +1,140 @@
+#pragma once
+// studio/session.h -- everything a lighter can do, as plain calls. The command line and the window are two faces of it.
+#include <chrono>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "paint/canvas.h"
+#include "project/paint_document.h"
+#include "project/project.h"
+#include "solve/solve_session.h"
+#include "studio/stage.h"
+
+namespace luminist {
+
+struct NewLight {
+  std::string type = "cinematic";
+  std::string name = "light";  ///< "-2", "-3"... is appended if it is taken
+  std::string group;
+  bool from_paint = true;  ///< start where the paint says (paper, section 5.2); else at the type's defaults
+};
+
+/// A solve that ran, and what it was asked for.
+struct Solved {
+  SolveOptions options;
+  SolveReport report;
+  Target target;
+};
+
+/// One shot under work.
+///
+/// Every call that changes something is one gesture: it is recorded as one command with what it did and what was asked
+/// for, or it fails and nothing has changed. A solve only proposes: accepting it is the command, and any other gesture
+/// drops the proposal. Painting puts the target beside the picture; the lights change by hand or by a solve.
+///
+/// thread the device's. Calls that render cost a picture, others little, unless they say so.
+class Session {
+ public:
+  /// Loads a shot; device and diagnostics outlive the session. Paths are looked for below folder, then the asset roots.
+  /// errors those of open_stage() and starting_state().
+  static Result<std::unique_ptr<Session>> open(Device& device, const AssetRoots& roots, const Shot& shot,
+                                               const std::filesystem::path& folder, Diagnostics& diagnostics);
+  /// errors those of Project::open() and open_stage().
+  static Result<std::unique_ptr<Session>> open_project(Device& device, const AssetRoots& roots,
+                                                       const std::filesystem::path& folder, Project::Access access,
+                                                       Diagnostics& diagnostics);
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+  ~Session() = default;
+
+  [[nodiscard]] const Shot& shot() const { return shot_; }
+  [[nodiscard]] const Stage& stage() const { return *stage_; }
+  [[nodiscard]] const Project& project() const { return project_; }
+  /// The lights in force, and those to be seen: the proposal's while there is one.
+  [[nodiscard]] const ParamState& state() const { return state_; }
+  [[nodiscard]] const ParamState& shown() const { return solve_ ? solve_->best() : state_; }
+  /// The picture of shown(). Valid until the next call. errors the renderer's.
+  Result<const Image*> picture();
+  /// What is painted. Valid until the next call. errors the renderer's; a tile that is gone.
+  Result<const Target*> target();
+  [[nodiscard]] bool painted() const { return has_paint(project_.document()); }
+
+  // Lights and style -----------------------------------------------------------------------------------------------
+  /// Assignments as "lights/key/barn=0.3,0.3,0.1", all or none. errors kUsage.
+  Result<void> set(const std::vector<std::string>& assignments);
+  /// returns how many degrees of freedom the pattern names. errors kUsage if none.
+  Result<int> set_locked(const std::string& pattern, bool locked);
+  /// Locks all other lights. returns the light's name. errors kNothingToDo without paint that lightens, kUsage.
+  Result<std::string> add_light(const NewLight& wanted);
+  Result<void> remove_light(const std::string& name);
+  Result<void> set_muted(const std::string& name, bool muted);
+  /// All lights use that light's shadow map; "" for each its own.
+  Result<void> share_shadows(const std::string& name);
+  /// Replaces the lights by those of a file. errors those of find_input() and load_rig().
+  Result<void> load_rig(const std::string& path, const std::filesystem::path& folder);
+  /// Looks at the same shot in another style. cost compiling it. errors kStyle, kMissing.
+  Result<void> restyle(const std::string& name);
+
+  // Paint ----------------------------------------------------------------------------------------------------------
+  /// Strokes, with their nu and delta; path is their file's, for messages and copies. errors those of Canvas::apply().
+  Result<void> paint(const StrokeFile& strokes, const std::string& path);
+  Result<void> set_importance(float nu, float delta);
+  /// A target made elsewhere, in place of paint; other sizes are scaled, pixels that are not finite do not count (both
+  /// with a warning). Without an importance map every pixel counts 1. errors kBadContent.
+  Result<void> set_target(const Image& color, const std::optional<Image>& importance);
+  /// errors kNothingToDo.
+  Result<void> clear_paint();
+
+  // Solving --------------------------------------------------------------------------------------------------------
+  /// errors kNothingToDo: nothing painted, everything locked, nothing counts.
+  Result<void> start_solve(const SolveOptions& options);
+  /// Goes on for about that long. returns false when there is nothing more to do. errors those of SolveSession.
+  Result<bool> continue_solve(std::chrono::milliseconds slice);
+  void stop_solve();
+  /// Both of the above until there is nothing more to do, or watch says false: asked about every 50 ms.
+  using SolveWatch = std::function<bool(const SolveReport&)>;
+  Result<void> solve(const SolveOptions& options, const SolveWatch& watch);
+  [[nodiscard]] bool has_proposal() const { return solve_.has_value(); }
+  /// The proposal becomes the lights in force, its picture what is painted on. errors kNothingToDo.
+  Result<void> accept();
+  /// The proposal is dropped. errors kNothingToDo.
+  Result<void> revert();
+  /// The proposal's, or that of the last accepted solve; null if there is none.
+  [[nodiscard]] const Solved* solved();
+
+  // History --------------------------------------------------------------------------------------------------------
+  /// errors those of Project.
+  Result<void> undo();
+  Result<void> redo();
+  Result<void> save() { return project_.save(); }
+  Result<void> save_as(const std::filesystem::path& folder) { return project_.save_as(folder); }
+
+ private:
+  struct Parts;  ///< what a session is made of
+  explicit Session(Parts parts);
+  Result<Canvas*> canvas();
+  Result<ShadowPair> shadow_pair();
+  Result<void> commit(const std::string& label, const std::string& action, const Document& next);
+  Result<void> commit_state(const std::string& label, const std::string& action, ParamState next);
+  Result<void> commit_canvas(const std::string& label, const std::string& action, const CanvasState& next);
+  Result<void> reload();
+  Result<void> step_history(bool back);
+
+  Device* device_;
+  AssetRoots roots_;
+  Diagnostics* diagnostics_;
+  std::filesystem::path folder_;  ///< where the shot's paths are looked for first
+  Project project_;
+  Shot shot_;
+  std::unique_ptr<Stage> stage_;
+  ParamState state_;
+  std::optional<Canvas> canvas_;  ///< empty: to be made from the document when it is needed
+  std::optional<Image> picture_;  ///< empty: to be rendered when it is needed
+  std::optional<SolveSession> solve_;
+  std::optional<Solved> solved_;
+};
+
+}  // namespace luminist

@@ -1,0 +1,117 @@
+// The part of a session that turns lights and style by hand.
+#include <utility>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "project/paint_document.h"
+#include "project/state_document.h"
+#include "solve/start_light.h"
+#include "studio/session.h"
+
+namespace luminist {
+namespace {
+
+using Json = nlohmann::json;
+
+Result<Light*> find_light(ParamState& state, const std::string& name) {
+  if (Light* light = state.rig.find(name)) return light;
+  std::vector<std::string> names;
+  for (const Light& light : state.rig.lights) names.push_back(light.name);
+  const std::string near = nearest_name(name, names);
+  return Error{
+      ErrorKind::kUsage, fmt::format("there is no light \"{}\"", name), "", "light",
+      near.empty() ? fmt::format("there are: {}", fmt::join(names, ", ")) : fmt::format("did you mean \"{}\"?", near)};
+}
+
+}  // namespace
+
+Result<void> Session::set(const std::vector<std::string>& assignments) {
+  ParamState next = state_;
+  for (const std::string& assignment : assignments) LUM_TRY_VOID(set_path(next, assignment));
+  const std::string label =
+      assignments.size() == 1 ? "Set " + assignments.front() : fmt::format("Set {} parameters", assignments.size());
+  return commit_state(label, Json{{"do", "set"}, {"values", assignments}}.dump(), std::move(next));
+}
+
+Result<int> Session::set_locked(const std::string& pattern, bool locked) {
+  ParamState next = state_;
+  LUM_TRY(const int count, luminist::set_locked(next, pattern, locked));
+  const char* verb = locked ? "lock" : "unlock";
+  LUM_TRY_VOID(commit_state(fmt::format("{} {}", locked ? "Lock" : "Unlock", pattern),
+                            Json{{"do", verb}, {"pattern", pattern}}.dump(), std::move(next)));
+  return count;
+}
+
+Result<std::string> Session::add_light(const NewLight& wanted) {
+  ParamState next = state_;
+  for (Light& light : next.rig.lights) light.params.set_param_locked(-1, true);
+  const std::string name = next.rig.unused_name(wanted.name);
+  LUM_TRY(Light light, make_light(stage_->types, wanted.type, name, stage_->frame));
+  light.group = wanted.group;
+  if (wanted.from_paint) {
+    LUM_TRY(Canvas * canvas, this->canvas());
+    LUM_TRY(const StartLight start, estimate_start_light(stage_->renderer->surface(), canvas->target(), stage_->frame));
+    apply_start_light(start, light);
+  }
+  next.rig.lights.push_back(std::move(light));
+  const Json action = {{"do", "add_light"},
+                       {"type", wanted.type},
+                       {"name", wanted.name},
+                       {"group", wanted.group},
+                       {"from_paint", wanted.from_paint}};
+  LUM_TRY_VOID(commit_state("Add light " + name, action.dump(), std::move(next)));
+  return name;
+}
+
+Result<void> Session::remove_light(const std::string& name) {
+  ParamState next = state_;
+  LUM_TRY(const Light* light, find_light(next, name));
+  if (next.rig.shadow_light == name) next.rig.shadow_light.clear();
+  next.rig.lights.erase(next.rig.lights.begin() + (light - next.rig.lights.data()));
+  return commit_state("Remove light " + name, Json{{"do", "remove_light"}, {"light", name}}.dump(), std::move(next));
+}
+
+Result<void> Session::set_muted(const std::string& name, bool muted) {
+  ParamState next = state_;
+  LUM_TRY(Light * light, find_light(next, name));
+  light->muted = muted;
+  return commit_state(fmt::format("{} {}", muted ? "Mute" : "Unmute", name),
+                      Json{{"do", "mute"}, {"light", name}, {"muted", muted}}.dump(), std::move(next));
+}
+
+Result<void> Session::share_shadows(const std::string& name) {
+  ParamState next = state_;
+  if (!name.empty()) LUM_TRY_VOID(find_light(next, name));
+  next.rig.shadow_light = name;
+  return commit_state(name.empty() ? "Each light its own shadow" : "Share the shadow of " + name,
+                      Json{{"do", "share_shadows"}, {"light", name}}.dump(), std::move(next));
+}
+
+Result<void> Session::load_rig(const std::string& path, const std::filesystem::path& folder) {
+  ParamState next = state_;
+  LUM_TRY(const std::string file, find_input(path, folder, roots_));
+  LUM_TRY(next.rig, luminist::load_rig(file, stage_->types, stage_->frame));
+  return commit_state("Load the rig " + path, Json{{"do", "load_rig"}, {"rig", path}}.dump(), std::move(next));
+}
+
+Result<void> Session::restyle(const std::string& name) {
+  Shot shot = shot_;
+  shot.style = name;
+  LUM_TRY(auto stage, open_stage(*device_, roots_, shot, folder_, *diagnostics_));
+  ParamState next{state_.rig, initial_state(stage->types, stage->style, stage->frame).style};
+  Document document = project_.document();
+  document.erase_below("style/");
+  document.erase_below("locks/style/");
+  write_shot(shot, document);
+  write_state(next, document);
+  LUM_TRY_VOID(commit("Style " + name, Json{{"do", "style"}, {"name", name}}.dump(), document));
+  solved_.reset();
+  canvas_.reset();
+  stage_ = std::move(stage);
+  shot_ = std::move(shot);
+  state_ = std::move(next);
+  return {};
+}
+
+}  // namespace luminist

@@ -1,0 +1,97 @@
+// The part of a session that solves.
+#include <utility>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "project/paint_document.h"
+#include "project/state_document.h"
+#include "studio/session.h"
+
+namespace luminist {
+namespace {
+
+using Json = nlohmann::json;
+
+Error no_proposal() {
+  return {ErrorKind::kNothingToDo, "there is no solve to accept or revert", "", "", "solve first"};
+}
+
+}  // namespace
+
+Result<void> Session::start_solve(const SolveOptions& options) {
+  if (!painted()) {
+    return Error{ErrorKind::kNothingToDo, "nothing is painted", "", "", "paint the light that you want to see"};
+  }
+  LUM_TRY(const Canvas* canvas, this->canvas());
+  LUM_TRY(SolveSession solve, SolveSession::create(*stage_->renderer, state_, canvas->target(), options));
+  solved_ = Solved{options, solve.report(), canvas->target()};
+  solve_ = std::move(solve);
+  picture_.reset();
+  return {};
+}
+
+Result<bool> Session::continue_solve(std::chrono::milliseconds slice) {
+  if (!solve_) return no_proposal();
+  picture_.reset();
+  return solve_->run_for(slice);
+}
+
+void Session::stop_solve() {
+  if (solve_) solve_->stop();
+}
+
+Result<void> Session::solve(const SolveOptions& options, const SolveWatch& watch) {
+  LUM_TRY_VOID(start_solve(options));
+  for (bool more = true; more;) {
+    LUM_TRY(more, continue_solve(std::chrono::milliseconds(50)));
+    if (more && watch && !watch(solve_->report())) {
+      stop_solve();
+      more = false;
+    }
+  }
+  return {};
+}
+
+const Solved* Session::solved() {
+  if (solve_) solved_->report = solve_->report();
+  return solved_ ? &*solved_ : nullptr;
+}
+
+Result<void> Session::accept() {
+  if (!solve_) return no_proposal();
+  ParamState next = solve_->best();
+  LUM_TRY(const Canvas* canvas, this->canvas());
+  LUM_TRY(Image picture, stage_->renderer->render(next));
+  Canvas rebased = *canvas;
+  rebased.rebase(picture);
+  Document document = project_.document();
+  write_state(next, document);
+  LUM_TRY_VOID(write_paint(rebased.state(), document, project_.tiles()));
+  Solved accepted = *solved();
+  const SolveReport& report = accepted.report;
+  const Json action = {{"do", "accept"},
+                       {"solver", report.solver},
+                       {"seed", accepted.options.seed},
+                       {"evals", report.evals},
+                       {"epsilon_start", report.epsilon_start},
+                       {"epsilon", report.epsilon},
+                       {"termination", to_string(report.termination)}};
+  const std::string label = fmt::format("Accept a solve: error {:.4g} to {:.4g}", report.epsilon_start, report.epsilon);
+  LUM_TRY_VOID(commit(label, action.dump(), document));
+  solved_ = std::move(accepted);
+  state_ = std::move(next);
+  canvas_ = std::move(rebased);
+  picture_ = std::move(picture);
+  return {};
+}
+
+Result<void> Session::revert() {
+  if (!solve_) return no_proposal();
+  solve_.reset();
+  solved_.reset();
+  picture_.reset();
+  return {};
+}
+
+}  // namespace luminist

@@ -1,0 +1,67 @@
+#include "studio/stage.h"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "render/param_state.h"
+
+namespace luminist {
+namespace {
+
+constexpr int kLargestSide = 16384;
+
+Result<Camera> choose_camera(const Scene& scene, const std::string& name) {
+  if (name.empty()) return scene.cameras.front();
+  if (const Camera* camera = scene.find_camera(name)) return *camera;
+  std::vector<std::string> names;
+  for (const Camera& camera : scene.cameras) names.push_back(camera.name);
+  const std::string near = nearest_name(name, names);
+  return Error{
+      ErrorKind::kUsage, fmt::format("the scene has no camera \"{}\"", name), "", "camera",
+      near.empty() ? fmt::format("it has: {}", fmt::join(names, ", ")) : fmt::format("did you mean \"{}\"?", near)};
+}
+
+Result<void> check_size(int width, int height) {
+  if (width < 1 || height < 1) {
+    return Error{ErrorKind::kUsage, fmt::format("{} x {} is no picture", width, height), "", "size",
+                 "write it as 640x480"};
+  }
+  if (width <= kLargestSide && height <= kLargestSide) return {};
+  return Error{ErrorKind::kLimit, fmt::format("{} x {} pixels are too many", width, height), "", "size",
+               fmt::format("a side has at most {} pixels", kLargestSide)};
+}
+
+}  // namespace
+
+Result<std::unique_ptr<Stage>> open_stage(Device& device, const AssetRoots& roots, const Shot& shot,
+                                          const std::filesystem::path& folder, Diagnostics& diagnostics) {
+  LUM_TRY_VOID(check_size(shot.width, shot.height));
+  auto stage = std::make_unique<Stage>();
+  LUM_TRY(stage->style, load_style(roots, shot.style));
+  LUM_TRY(stage->types, LightTypes::load(roots));
+  LUM_TRY(const std::string path, find_input(shot.scene, folder, roots));
+  LUM_TRY(Scene scene, load_scene(path, shot.scene_options, diagnostics));
+  LUM_TRY(const Camera camera, choose_camera(scene, shot.camera));
+  stage->frame = scene.frame();
+  for (const Camera& each : scene.cameras) stage->camera_names.push_back(each.name);
+  LUM_TRY(stage->renderer,
+          RasterRenderer::create(device, scene, camera, stage->types, stage->style, roots, shot.width, shot.height));
+  stage->scene_lights = std::move(scene.lights);
+  return stage;
+}
+
+Result<ParamState> starting_state(const Stage& stage, const AssetRoots& roots, const Shot& shot,
+                                  const std::filesystem::path& folder) {
+  ParamState state = initial_state(stage.types, stage.style, stage.frame);
+  if (!shot.rig.empty()) {
+    LUM_TRY(const std::string path, find_input(shot.rig, folder, roots));
+    LUM_TRY(state.rig, load_rig(path, stage.types, stage.frame));
+  } else if (!stage.scene_lights.empty()) {
+    LUM_TRY(state.rig.lights, from_punctual(stage.scene_lights, stage.types, stage.frame));
+  }
+  for (const std::string& assignment : shot.set) LUM_TRY_VOID(set_path(state, assignment));
+  return state;
+}
+
+}  // namespace luminist

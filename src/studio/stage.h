@@ -1,0 +1,37 @@
+#pragma once
+// studio/stage.h -- a shot, loaded: scene, camera, style, light types and the engine that draws them.
+#include <memory>
+#include <vector>
+
+#include "base/diagnostics.h"
+#include "gpu/device.h"
+#include "raster/raster_renderer.h"
+#include "rig/light_rig.h"
+#include "rig/light_type.h"
+#include "studio/shot.h"
+#include "style/style.h"
+
+namespace luminist {
+
+/// Made by open_stage(); stays where it is, because the engine points into it.
+struct Stage {
+  LightTypes types;
+  Style style;
+  SceneFrame frame;
+  std::vector<std::string> camera_names;
+  std::vector<PunctualLight> scene_lights;
+  std::unique_ptr<RasterRenderer> renderer;
+};
+
+/// device outlives the stage. Paths of the shot are looked for below folder, then below the roots.
+/// errors kUsage for an unknown camera (nearest name) or a bad size; those of the scene, the style and the engine.
+/// cost reading the scene and compiling the style: seconds.
+Result<std::unique_ptr<Stage>> open_stage(Device& device, const AssetRoots& roots, const Shot& shot,
+                                          const std::filesystem::path& folder, Diagnostics& diagnostics);
+
+/// The lights that a shot starts with: its rig file, or the lights in the scene, or none; then its settings.
+/// errors those of load_rig() and set_path().
+Result<ParamState> starting_state(const Stage& stage, const AssetRoots& roots, const Shot& shot,
+                                  const std::filesystem::path& folder);
+
+}  // namespace luminist
