@@ -3,8 +3,11 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <numeric>
 #include <tuple>
+
+#include <glm/common.hpp>
 
 #include "base/check.h"
 #include "scene/triple_index.h"
@@ -36,22 +39,36 @@ DVec3 normalized_or_zero(const DVec3& v) {
   return length > 0.0 ? v / length : DVec3(0.0);
 }
 
+/// Unit, or zero for a triangle without area: one so thin that its normal is made of rounding errors.
 std::vector<DVec3> face_normals(const Mesh& mesh) {
+  constexpr double kThinnest = 1e-7;
   std::vector<DVec3> normals;
   normals.reserve(mesh.triangles.size());
   for (const auto& t : mesh.triangles) {
     const DVec3 a(mesh.positions[t[0]]), b(mesh.positions[t[1]]), c(mesh.positions[t[2]]);
-    normals.push_back(normalized_or_zero(glm::cross(b - a, c - a)));
+    const DVec3 area = glm::cross(b - a, c - a);
+    const double longest = std::max({glm::dot(b - a, b - a), glm::dot(c - b, c - b), glm::dot(a - c, a - c)});
+    normals.push_back(glm::length(area) > kThinnest * longest ? glm::normalize(area) : DVec3(0.0));
   }
   return normals;
 }
 
-/// Vertices at one position share a number.
+/// Vertices at one place share a number: equal up to about a millionth of the mesh's size, because seams and poles are
+/// often written with different roundings.
 std::vector<std::uint32_t> weld(const std::vector<Vec3>& positions) {
+  constexpr double kCells = 1 << 20;
+  Box box;
+  for (const Vec3& p : positions) box.extend(p);
+  const DVec3 size = box.empty() ? DVec3(0.0) : DVec3(box.hi) - DVec3(box.lo);
+  const double cell = std::max({size.x, size.y, size.z}) / kCells;
   TripleIndex index(positions.size());
   std::vector<std::uint32_t> welded;
   welded.reserve(positions.size());
-  for (const Vec3& p : positions) welded.push_back(index.add(position_bits(p)));
+  for (const Vec3& p : positions) {
+    const DVec3 q = cell > 0.0 ? glm::round((DVec3(p) - DVec3(box.lo)) / cell) : DVec3(0.0);
+    const auto whole = [](double x) { return x >= 0.0 && x <= kCells ? static_cast<std::uint32_t>(x) : 0xffffffffU; };
+    welded.push_back(index.add({whole(q.x), whole(q.y), whole(q.z)}));
+  }
   return welded;
 }
 
@@ -102,17 +119,20 @@ double corner_angle(const Mesh& mesh, std::uint32_t corner) {
   return std::acos(std::clamp(glm::dot(u, v), -1.0, 1.0));
 }
 
+constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
+
 /// Gives every vertex one value per group of its corners: the first group keeps the vertex, others get copies.
-/// group_of(corner) names the group, on_vertex(vertex, corner) fills what belongs to the group.
+/// group_of(corner) names the group, or kNone for a corner that takes what is there; on_vertex(vertex, corner) fills
+/// what belongs to the group.
 template <class GroupOf, class OnVertex>
 void split_vertices(Mesh& mesh, GroupOf group_of, OnVertex on_vertex) {
-  constexpr std::uint32_t kNone = 0xffffffffU;
   const auto first_copy = static_cast<std::uint32_t>(mesh.positions.size());
   std::vector<std::uint32_t> owner(mesh.positions.size(), kNone);
   TripleIndex copies;
   for (std::uint32_t corner = 0; corner < 3 * mesh.triangles.size(); ++corner) {
     std::uint32_t& index = mesh.triangles[corner / 3][corner % 3];
     const std::uint32_t group = group_of(corner);
+    if (group == kNone) continue;
     if (owner[index] == kNone) owner[index] = group, on_vertex(index, corner);
     if (owner[index] == group) continue;
     const std::size_t known = copies.size();
@@ -159,12 +179,10 @@ void compute_normals(Mesh& mesh, double crease_angle) {
   mesh.tangents.clear();
   mesh.normals.assign(mesh.positions.size(), Vec3(0.0F, 1.0F, 0.0F));
   split_vertices(
-      mesh, [&](std::uint32_t corner) { return sets.find(corner); },
+      mesh, [&](std::uint32_t corner) { return faces[corner / 3] == DVec3(0.0) ? kNone : sets.find(corner); },
       [&](std::uint32_t vertex, std::uint32_t corner) {
-        DVec3 normal = normalized_or_zero(sums[sets.find(corner)]);
-        if (normal == DVec3(0.0)) normal = faces[corner / 3];  // the faces cancel out, or have no area
-        if (normal == DVec3(0.0)) normal = DVec3(0.0, 1.0, 0.0);
-        mesh.normals[vertex] = Vec3(normal);
+        const DVec3 normal = normalized_or_zero(sums[sets.find(corner)]);
+        mesh.normals[vertex] = Vec3(normal == DVec3(0.0) ? faces[corner / 3] : normal);  // zero: the faces cancel out
       });
 }
 
