@@ -52,6 +52,7 @@ std::string value_text(const ParamBlock& block, int param) {
   if (spec.type == ParamType::kInt) return fmt::format("{}", static_cast<int>(block.get(param)));
   if (spec.type == ParamType::kChoice) return toml_string(spec.choices[static_cast<std::size_t>(block.get(param))]);
   std::vector<std::string> numbers;
+  numbers.reserve(static_cast<std::size_t>(spec.components()));
   for (int c = 0; c < spec.components(); ++c) {
     numbers.push_back(number_text(shortest_double(static_cast<float>(block.get(param, c)))));
   }

@@ -104,11 +104,11 @@ const TomlValue* TomlReader::value(std::string_view key) {
 }
 
 const TomlValue& TomlReader::required_value(std::string_view key) {
-  static const TomlValue kNone;
+  static const TomlValue none;
   const TomlValue* found = value(key);
   if (found == nullptr) {
     fail(key, fmt::format("the key \"{}\" is missing", key));
-    return kNone;
+    return none;
   }
   return *found;
 }
@@ -116,8 +116,9 @@ const TomlValue& TomlReader::required_value(std::string_view key) {
 const TomlValue* TomlReader::expect(std::string_view key, Kind kind, bool required) {
   const TomlValue* found = value(key);
   if (found == nullptr) {
-    if (required)
+    if (required) {
       fail(key, fmt::format("the key \"{}\" is missing", key), fmt::format("give {}", toml_kind_name(kind)));
+    }
     return nullptr;
   }
   if (found->kind == kind || (kind == Kind::kFloat && found->kind == Kind::kInteger)) return found;
@@ -130,9 +131,9 @@ std::string TomlReader::string(std::string_view key) {
   return found != nullptr ? found->text : "";
 }
 
-std::string TomlReader::string(std::string_view key, std::string fallback) {
+std::string TomlReader::string(std::string_view key, std::string_view fallback) {
   const TomlValue* found = expect(key, Kind::kString, false);
-  return found != nullptr ? found->text : std::move(fallback);
+  return std::string(found != nullptr ? found->text : fallback);
 }
 
 double TomlReader::number(std::string_view key) {

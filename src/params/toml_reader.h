@@ -51,7 +51,7 @@ class TomlReader {
       : table_(&table), path_(std::move(path)), kind_(kind) {}
 
   std::string string(std::string_view key);
-  std::string string(std::string_view key, std::string fallback);
+  std::string string(std::string_view key, std::string_view fallback);
   double number(std::string_view key);  ///< finite
   double number(std::string_view key, double fallback);
   int integer(std::string_view key, int fallback);

@@ -28,6 +28,9 @@ TEST(ShippedStyles, GiveToonAThresholdAndTwoColours) {
     EXPECT_TRUE(toon.schema->find(name).has_value()) << name;
   }
   EXPECT_EQ(toon.lights, LightCombination::kSum);
+  // Picture and colours are linear in each other, which the solver may use.
+  EXPECT_EQ((*toon.schema)[*toon.schema->find("bright")].role, "color");
+  EXPECT_EQ((*toon.schema)[*toon.schema->find("dark")].role, "color");
 }
 
 /// A folder of styles of the test's own.
