@@ -10,11 +10,49 @@ constexpr double kGoodEnough = 0.01;  // of the start's epsilon: nobody sees the
 constexpr double kRoundGain = 0.02;   // a round that gains less was idle
 constexpr int kRounds = 8;
 constexpr int kIdleRounds = 2;
-constexpr int kVariants = 48;        // of one light
-constexpr std::size_t kTriaged = 6;  // variants that descend a little
-constexpr int kTriageIterations = 4;
-constexpr std::size_t kPromoted = 3;  // of these, go through all levels
-constexpr int kSimplexSlice = 25;     // evaluations on samples in one step
+constexpr int kScouts = 2;         // explorations before the first picture...
+constexpr double kClear = 0.05;    // ...unless the middle level is this near to the target, of the start's distance
+constexpr int kVariants = 48;      // of one light
+constexpr std::size_t kPool = 6;   // variants that descend
+constexpr int kSimplexSlice = 25;  // evaluations on samples in one step
+
+/// Many starts descend a little on few samples, the best of them on, and only one to the end.
+struct Stage {
+  std::size_t level = 0;
+  int iterations = 0;
+  std::size_t keep = 1;  // of its ends, for the next stage
+};
+constexpr std::array<Stage, 4> kStages{{{0, 4, 2}, {0, 12, 1}, {1, 10, 1}, {2, 12, 1}}};
+
+bool cheaper(const CellPoint& a, const CellPoint& b) {
+  return a.cost < b.cost;
+}
+
+/// The cheapest points whose pictures differ from those of `taken` and from each other by some of their cost: what only
+/// turns something that does not show is no other start.
+std::vector<CellPoint> cheapest_distinct(const CellProblem& problem, std::vector<CellPoint> points, std::size_t count,
+                                         const CellPoint* taken) {
+  constexpr double kDistinct = 0.1;
+  std::stable_sort(points.begin(), points.end(), cheaper);
+  std::vector<CellField> seen;
+  if (taken != nullptr) seen.push_back(problem.picture(*taken));
+  std::vector<CellPoint> chosen;
+  for (CellPoint& point : points) {
+    if (chosen.size() == count) break;
+    CellField picture = problem.picture(point);
+    const bool known = std::any_of(seen.begin(), seen.end(), [&](const CellField& other) {
+      double difference = 0.0;
+      for (std::size_t c = 0; c < other.size(); ++c) {
+        difference += problem.level().cells.weight[c] * glm::distance(picture[c], other[c]);
+      }
+      return difference < kDistinct * point.cost;
+    });
+    if (known) continue;
+    seen.push_back(std::move(picture));
+    chosen.push_back(std::move(point));
+  }
+  return chosen;
+}
 
 }  // namespace
 
@@ -52,7 +90,9 @@ FastSolver::FastSolver(Renderer& renderer, const Target& target, Progress& progr
       target_(&target),
       progress_(&progress),
       objective_(renderer, progress.best(), target),
-      random_(progress.options().seed) {}
+      random_(progress.options().seed),
+      start_(progress.best()),
+      base_(progress.best()) {}
 
 Result<std::unique_ptr<FastSolver>> FastSolver::create(Renderer& renderer, const Target& target, Progress& progress) {
   std::unique_ptr<FastSolver> solver(new FastSolver(renderer, target, progress));
@@ -97,9 +137,6 @@ Result<bool> FastSolver::step() {
     case Phase::kExplore:
       LUM_TRY_VOID(explore());
       break;
-    case Phase::kTriage:
-      LUM_TRY_VOID(triage());
-      break;
     case Phase::kSimplex:
       LUM_TRY_VOID(run_simplex());
       break;
@@ -120,37 +157,63 @@ Result<void> FastSolver::compare_start() {
   LUM_TRY(const double epsilon, objective_.evaluate(objective_.unit(start)));
   progress_->record(start, epsilon);
   LUM_TRY(incumbent_, problems_[2].measure(start));
-  // The start as it is, with other colours: what descents have to beat.
-  begin_descents({{start, 0}});
+  LUM_TRY(const CellPoint middle, problems_[1].measure(start));
+  middle_start_ = middle.cost;
+  begin_descents({start}, 1);
   return {};
 }
 
-void FastSolver::begin_descents(std::deque<Start> starts) {
+void FastSolver::begin_descents(std::vector<ParamState> starts, std::size_t stage) {
   starts_ = std::move(starts);
+  std::reverse(starts_.begin(), starts_.end());  // taken from the back
+  stage_ = stage;
+  ends_.clear();
   outcome_.reset();
   descent_.reset();
   phase_ = Phase::kDescend;
 }
 
 Result<void> FastSolver::descend() {
-  const auto finest = static_cast<int>(levels_.size()) - 1;
+  const Stage& stage = kStages[stage_];
   if (!descent_) {
-    descent_level_ = starts_.front().level;
-    const CellProblem& problem = problems_[static_cast<std::size_t>(descent_level_)];
-    LUM_TRY(CellPoint point, problem.measure(starts_.front().state));
+    const CellProblem& problem = problems_[stage.level];
+    LUM_TRY(CellPoint point, problem.measure(starts_.back()));
+    starts_.pop_back();
     descent_.emplace(problem, std::move(point), focus_);
   }
   LUM_TRY(const bool more, descent_->iterate());
-  if (more) return {};
-  if (descent_level_ < finest) {
-    starts_.front() = {descent_->point().state, descent_level_ + 1};
-    descent_.reset();
+  if (more && descent_->iterations() < stage.iterations) return {};
+  ends_.push_back(descent_->point());
+  descent_.reset();
+  if (starts_.empty()) return end_stage();
+  return {};
+}
+
+Result<void> FastSolver::end_stage() {
+  std::stable_sort(ends_.begin(), ends_.end(), cheaper);
+  if (stage_ + 1 == kStages.size()) {
+    outcome_ = std::move(ends_.front());
+    phase_ = Phase::kCheck;
     return {};
   }
-  if (!outcome_ || descent_->point().cost < outcome_->cost) outcome_ = descent_->point();
-  descent_.reset();
-  starts_.pop_front();
-  if (starts_.empty()) phase_ = Phase::kCheck;
+  if (kStages[stage_].level == 1 && round_ == 0) {
+    if (!scouted_ || ends_.front().cost < scouted_->cost) scouted_ = ends_.front();
+    if (scouted_->cost > kClear * middle_start_ && scouts_ < kScouts && !free_blocks_.empty()) {
+      ++scouts_;
+      base_ = scouted_->state;
+      pool_.clear();
+      explored_ = 0;
+      phase_ = Phase::kExplore;
+      return {};
+    }
+    ends_.front() = *scouted_;
+  }
+  std::vector<ParamState> next;
+  for (CellPoint& end :
+       cheapest_distinct(problems_[kStages[stage_].level], std::move(ends_), kStages[stage_].keep, nullptr)) {
+    next.push_back(std::move(end.state));
+  }
+  begin_descents(std::move(next), stage_ + 1);
   return {};
 }
 
@@ -182,14 +245,15 @@ void FastSolver::begin_round() {
   epsilon_before_round_ = epsilon;
   ++round_;
   pool_.clear();
-  explored_ = triaged_ = 0;
+  explored_ = 0;
+  base_ = incumbent_->state;
   phase_ = round_ % 2 == 1 ? Phase::kExplore : Phase::kSimplex;
 }
 
 Result<void> FastSolver::explore() {
   const CellProblem& problem = problems_[0];
   const SampleCells& cells = levels_[0].cells;
-  LUM_TRY(const CellPoint here, problem.measure(incumbent_->state));
+  LUM_TRY(const CellPoint here, problem.measure(base_));
   const CellField picture = problem.picture(here);
   LightPlaces places{cells.position, cells.normal, {}};
   for (std::size_t c = 0; c < picture.size(); ++c) {
@@ -206,24 +270,16 @@ Result<void> FastSolver::explore() {
   std::vector<ParamState> states = light_variants(here.state, block, places, renderer_->frame(), kVariants, random_);
   LUM_TRY(std::vector<CellPoint> points, problem.measure(std::move(states), &here, touched));
   for (CellPoint& point : points) pool_.push_back(std::move(point));
-  std::stable_sort(pool_.begin(), pool_.end(), [](const CellPoint& a, const CellPoint& b) { return a.cost < b.cost; });
-  if (pool_.size() > kTriaged) pool_.erase(pool_.begin() + static_cast<std::ptrdiff_t>(kTriaged), pool_.end());
-  if (explored_ == free_blocks_.size()) phase_ = Phase::kTriage;
-  return {};
-}
-
-Result<void> FastSolver::triage() {
-  GaussNewton descent(problems_[0], pool_[triaged_], focus_);
-  bool more = true;
-  while (more && descent.iterations() < kTriageIterations) {
-    LUM_TRY(more, descent.iterate());
+  for (std::vector<ParamState>& scan : light_scans(here.state, start_, block, renderer_->frame())) {
+    LUM_TRY(points, problem.measure(std::move(scan), &here, touched));
+    pool_.push_back(std::move(*std::min_element(points.begin(), points.end(), cheaper)));
   }
-  pool_[triaged_++] = descent.point();
-  if (triaged_ < pool_.size()) return {};
-  std::stable_sort(pool_.begin(), pool_.end(), [](const CellPoint& a, const CellPoint& b) { return a.cost < b.cost; });
-  std::deque<Start> starts{{incumbent_->state, 2}};
-  for (std::size_t i = 0; i < std::min(kPromoted, pool_.size()); ++i) starts.push_back({pool_[i].state, 0});
-  begin_descents(std::move(starts));
+  if (explored_ < free_blocks_.size()) return {};
+  pool_ = cheapest_distinct(problem, std::move(pool_), kPool, &here);
+  if (pool_.empty()) pool_.push_back(here);
+  std::vector<ParamState> starts;
+  for (const CellPoint& point : pool_) starts.push_back(point.state);
+  begin_descents(std::move(starts), 0);
   return {};
 }
 
@@ -251,7 +307,7 @@ Result<void> FastSolver::run_simplex() {
     s.walk.tell(value);
   }
   if (!s.walk.done() && s.evaluations < s.limit) return {};
-  begin_descents({{s.best.state, 1}});
+  begin_descents({s.best.state}, 2);
   simplex_.reset();
   return {};
 }

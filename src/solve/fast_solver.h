@@ -1,7 +1,6 @@
 #pragma once
 // solve/fast_solver.h -- Gauss-Newton on samples, from soft to sharp, with restarts and a simplex on the same samples.
 #include <array>
-#include <deque>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -32,11 +31,7 @@ class FastSolver final : public Solver {
   Result<bool> step() override;
 
  private:
-  enum class Phase { kStart, kDescend, kCheck, kExplore, kTriage, kSimplex, kDone };
-  struct Start {
-    ParamState state;
-    int level = 0;  ///< where it begins
-  };
+  enum class Phase { kStart, kDescend, kCheck, kExplore, kSimplex, kDone };
   struct SampleSimplex;  // a simplex over the parameters that are not solved in closed form
 
   FastSolver(Renderer& renderer, const Target& target, Progress& progress);
@@ -45,10 +40,10 @@ class FastSolver final : public Solver {
   Result<void> descend();
   Result<void> check();
   Result<void> explore();
-  Result<void> triage();
   Result<void> run_simplex();
   void begin_round();
-  void begin_descents(std::deque<Start> starts);
+  void begin_descents(std::vector<ParamState> starts, std::size_t stage);
+  Result<void> end_stage();
   [[nodiscard]] bool good_enough() const;
 
   Renderer* renderer_;
@@ -63,14 +58,19 @@ class FastSolver final : public Solver {
   std::vector<int> free_blocks_;       ///< blocks with something unlocked besides colours
 
   Phase phase_ = Phase::kStart;
-  std::deque<Start> starts_;
+  std::size_t stage_ = 0;
+  std::vector<ParamState> starts_;  ///< of this stage, still to descend
+  std::vector<CellPoint> ends_;     ///< of this stage
   std::optional<GaussNewton> descent_;
-  int descent_level_ = 0;
   std::optional<CellPoint> incumbent_;  ///< the best point on the sharpest level that was compared in full
   std::optional<CellPoint> outcome_;    ///< the best of the present descents
-  std::vector<CellPoint> pool_;         ///< variants on the softest level
-  std::size_t explored_ = 0;            ///< free blocks done in this round
-  std::size_t triaged_ = 0;
+  ParamState start_;
+  ParamState base_;                   ///< what a round explores around
+  std::optional<CellPoint> scouted_;  ///< the best on the middle level, not yet taken to the sharpest
+  int scouts_ = 0;                    ///< rounds of exploration before the first picture
+  double middle_start_ = 0.0;         ///< the start's cost on the middle level
+  std::vector<CellPoint> pool_;       ///< variants on the softest level
+  std::size_t explored_ = 0;          ///< free blocks done in this round
   std::unique_ptr<SampleSimplex> simplex_;
   int round_ = 0;
   int idle_rounds_ = 0;  ///< in a row without a gain

@@ -77,6 +77,79 @@ void place_anew(ParamBlock& params, int position, int direction, const LightPlac
   if (glm::length(way) > 1e-4F * frame.radius) params.set_vec3(direction, glm::normalize(way));
 }
 
+/// The parameters of one manifest group as they are in `start`, and nothing else of the block free.
+/// Groups with a position or of a single parameter stay: there is nothing to undo in them.
+ParamState group_reset(const ParamState& alone, const ParamState& start, int block, const std::string& group) {
+  ParamState result = alone;
+  ParamBlock& params = *result.blocks()[static_cast<std::size_t>(block)];
+  const ParamBlock& before = *start.blocks()[static_cast<std::size_t>(block)];
+  int members = 0;
+  bool place = false;
+  for (const ParamSpec& spec : params.schema().specs()) {
+    members += spec.group == group ? 1 : 0;
+    place = place || (spec.group == group && (spec.role == "position" || spec.role == "direction"));
+  }
+  for (int param = 0; param < params.schema().size(); ++param) {
+    const ParamSpec& spec = params.schema()[param];
+    if (spec.group != group) {
+      params.set_param_locked(param, true);
+    } else if (members > 1 && !place) {
+      for (int k = 0; k < spec.dofs(); ++k) {
+        if (!params.locked(spec.first_dof + k)) params.set(param, k, before.get(param, k));
+      }
+    }
+  }
+  return result;
+}
+
+void scan_values(const ParamState& state, const ParamState& around, int block, const SceneFrame& frame,
+                 std::vector<std::vector<ParamState>>& scans) {
+  constexpr std::array<double, 9> kValues{0.02, 0.06, 0.1, 0.16, 0.24, 0.35, 0.5, 0.7, 0.9};
+  const ParamBlock& params = *around.blocks()[static_cast<std::size_t>(block)];
+  const AimMap map(around, frame, frame.center);
+  for (std::size_t k = 0; k < map.origin().size(); ++k) {
+    if (params.schema()[map.units().list()[k].param].role == "color") continue;
+    scans.emplace_back();
+    for (const double value : kValues) {
+      std::vector<double> x = map.origin();
+      x[k] = value;
+      ParamState variant = state;
+      copy_values(map.at(x), block, variant);
+      scans.back().push_back(std::move(variant));
+    }
+  }
+}
+
+void scan_edges(const ParamState& state, const ParamState& alone, int block,
+                std::vector<std::vector<ParamState>>& scans) {
+  constexpr int kWays = 8;  // the roll of a light is its own affair: all ways round are tried
+  constexpr std::array<double, 4> kShares{-0.5, 0.2, 0.4, 0.6};  // of the half size that is cut off
+  const ParamBlock& params = *alone.blocks()[static_cast<std::size_t>(block)];
+  const std::optional<int> direction = params.schema().by_role("direction");
+  const std::optional<int> shape = params.schema().by_role("shape");
+  if (!is_free(params, direction) || !shape || params.schema()[*shape].components() < 2) return;
+  const Vec3 axis = glm::normalize(params.vec3(*direction));
+  Vec3 right;
+  Vec3 up;
+  tangent_frame(axis, right, up);
+  for (int side = 0; side < 2; ++side) {
+    if (params.locked(params.schema()[*shape].first_dof + side)) continue;
+    const double half = params.get(*shape, side);
+    for (int way = 0; way < kWays; ++way) {
+      const double angle = 2.0 * kPi * way / kWays;
+      const Vec3 across = static_cast<float>(std::cos(angle)) * right + static_cast<float>(std::sin(angle)) * up;
+      scans.emplace_back();
+      for (const double share : kShares) {
+        ParamState variant = state;
+        ParamBlock& changed = *variant.blocks()[static_cast<std::size_t>(block)];
+        changed.set(*shape, side, half * (1.0 - share));
+        changed.set_vec3(*direction, glm::normalize(axis + static_cast<float>(half * share) * across));
+        scans.back().push_back(std::move(variant));
+      }
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<ParamState> light_variants(const ParamState& state, int block, const LightPlaces& places,
@@ -109,6 +182,26 @@ std::vector<ParamState> light_variants(const ParamState& state, int block, const
     variants.push_back(std::move(variant));
   }
   return variants;
+}
+
+std::vector<std::vector<ParamState>> light_scans(const ParamState& state, const ParamState& start, int block,
+                                                 const SceneFrame& frame) {
+  std::vector<std::vector<ParamState>> scans;
+  const ParamState alone = only_block_free(state, block);
+  scan_values(state, alone, block, frame, scans);
+  const ParamBlock& params = *alone.blocks()[static_cast<std::size_t>(block)];
+  std::vector<std::string> groups;
+  for (const ParamSpec& spec : params.schema().specs()) {
+    if (std::find(groups.begin(), groups.end(), spec.group) == groups.end()) groups.push_back(spec.group);
+  }
+  for (const std::string& group : groups) {
+    const ParamState reset = group_reset(alone, start, block, group);
+    if (!params.same_values(*reset.blocks()[static_cast<std::size_t>(block)])) {
+      scan_values(state, reset, block, frame, scans);
+    }
+  }
+  scan_edges(state, alone, block, scans);
+  return scans;
 }
 
 }  // namespace luminist

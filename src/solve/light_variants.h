@@ -22,4 +22,15 @@ struct LightPlaces {
 std::vector<ParamState> light_variants(const ParamState& state, int block, const LightPlaces& places,
                                        const SceneFrame& frame, int count, Random& random);
 
+/// Variants that differ from a state in little, in groups of which the best is wanted, for what has no slope:
+///
+/// - each unlocked degree of freedom of one block, colours excepted, alone elsewhere in its range (a cutoff far beyond
+///   the scene matters to no slope), around the state and around it with the rest of the manifest's group as in
+///   `start`;
+/// - one edge of a light's shape (role "shape", half sizes) moved: the light turns and narrows or widens at once (an
+/// edge
+///   outside the picture has no slope either).
+std::vector<std::vector<ParamState>> light_scans(const ParamState& state, const ParamState& start, int block,
+                                                 const SceneFrame& frame);
+
 }  // namespace luminist
