@@ -43,9 +43,10 @@ vec3 mapped_normal(vec3 n) {
 // The triangle's side that is seen decides the sign, exactly; what an interpolated or mapped normal then still leans
 // away from the eye is bent back to the silhouette.
 vec3 facing_normal() {
+  vec3 to_eye = normalize(eye - world_position);
+  if (!(dot(world_normal, world_normal) > 0.0)) return to_eye;  // a degenerate corner of a mesh
   vec3 n = mapped_normal(normalize(world_normal));
   n *= gl_FrontFacing ? side : -side;
-  vec3 to_eye = normalize(eye - world_position);
   float away = min(dot(n, to_eye) - 1e-3, 0.0);
   return normalize(n - away * to_eye);
 }

@@ -6,7 +6,7 @@ layout(location = 3) in vec4 tangent;
 
 uniform mat4 clip_from_world;  // with the shift of the pass
 uniform mat4 world_from_object;
-uniform mat3 normal_from_object;  // inverse transpose
+uniform mat3 normal_from_object;  // inverse transpose, not normalized
 
 out vec3 world_position;
 out vec3 world_normal;

@@ -27,8 +27,8 @@ Result<void> check_size(const Device& device, BufferUse use, std::size_t bytes, 
 
 Result<GlBuffer> GlBuffer::create(Device& device, BufferUse use, std::size_t bytes, const std::string& label) {
   LUM_TRY_VOID(check_size(device, use, bytes, label));
-  // Zeros are uploaded and not made by fill(): NVIDIA's driver (580.159) loses a write of more than 64 KiB that follows a
-  // clear.
+  // Zeros are uploaded and not made by fill(): NVIDIA's driver (580.159) loses a write of more than 64 KiB that follows
+  // a clear.
   const std::size_t allocated = std::max(kLeastBytes, (bytes + 3) / 4 * 4);
   const std::unique_ptr<void, decltype(&std::free)> zeros(std::calloc(allocated, 1), &std::free);
   if (!zeros) return Error{ErrorKind::kLimit, fmt::format("no memory for {} ({} bytes)", label, bytes), "", "", ""};

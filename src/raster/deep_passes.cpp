@@ -5,8 +5,6 @@
 #include <limits>
 #include <utility>
 
-#include <glm/gtc/matrix_inverse.hpp>
-
 #include "base/check.h"
 #include "raster/deep_framebuffer.h"
 
@@ -54,6 +52,14 @@ Camera with_tight_planes(Camera camera, const Box& bounds) {
   camera.near_plane = near_plane;
   camera.far_plane = far_plane;
   return camera;
+}
+
+/// How normals turn with an object: the inverse transpose up to a positive factor, and still right for an object that
+/// is flattened to a plane.
+Mat3 normal_matrix(const Mat3& linear) {
+  const Mat3 cofactors(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
+                       glm::cross(linear[0], linear[1]));
+  return glm::determinant(linear) < 0.0F ? -cofactors : cofactors;
 }
 
 /// Moves the picture so that the sample at `offset` (pixels from the centre; y down) falls on the pixel centre.
@@ -163,7 +169,7 @@ void DeepPasses::draw_layer(int layer, int first_row) {
   for (const MeshDraw& draw : meshes_->draws()) {
     const Mat3 linear(draw.world_from_object);
     program_.set("world_from_object", draw.world_from_object);
-    program_.set("normal_from_object", glm::inverseTranspose(linear));
+    program_.set("normal_from_object", normal_matrix(linear));
     program_.set("side", glm::determinant(linear) < 0.0F ? -1.0F : 1.0F);
     glProgramUniform2ui(program_.name(), glGetUniformLocation(program_.name(), "ids"), draw.object + 1,
                         draw.material + 1);

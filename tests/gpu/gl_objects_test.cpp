@@ -42,6 +42,19 @@ TEST_F(GlObjects, BufferStartsAtZeroAndIsFilledByRange) {
   EXPECT_EQ(back, (std::vector<float>{0, 0.5F, 0.5F, 0, 0}));
 }
 
+TEST_F(GlObjects, LargeWriteAfterAFillIsWhatIsRead) {
+  const std::vector<float> values(1U << 18U, 7.0F);
+  LUM_ASSERT_OK(GlBuffer buffer, GlBuffer::create(*device_, BufferUse::kStorage, values.size() * 4, "large"));
+  std::vector<float> back(values.size());
+  buffer.write(0, std::span(values));
+  buffer.read(0, std::span(back));
+  EXPECT_EQ(back, values);
+  buffer.fill(0, values.size() * 4, 1.0F);
+  buffer.write(0, std::span(values));
+  buffer.read(0, std::span(back));
+  EXPECT_TRUE(back == values);
+}
+
 TEST_F(GlObjects, BufferOfNothingIsValid) {
   LUM_ASSERT_OK(const GlBuffer buffer, GlBuffer::create(*device_, BufferUse::kStorage, 0, "nothing"));
   buffer.bind_storage(0);

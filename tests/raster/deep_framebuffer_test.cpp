@@ -255,6 +255,17 @@ TEST_F(DeepFramebuffers, NormalsFaceTheEyeFromBehindMirroredAndWoundTheOtherWay)
   }
 }
 
+TEST_F(DeepFramebuffers, NormalsStayUnitVectorsOnFlattenedObjectsAndWithoutNormals) {
+  Scene scene;
+  add(scene, test::quad_mesh(), "flat", moved(Vec3(-1, 0, 0), Vec3(1, 1, 0)));
+  Mesh bare = test::quad_mesh();
+  bare.normals.assign(4, Vec3(0.0F));
+  add(scene, bare, "bare", moved(Vec3(1, 0, 0)));
+  const DeepFramebuffer deep = draw(scene, looking(Vec3(0, 0, 4), Vec3(0)), 64, 64);
+  EXPECT_NEAR(deep.surface().normal[deep.surface().index(20, 32)].z, 1.0F, 1e-5F);
+  EXPECT_NEAR(glm::length(deep.surface().normal[deep.surface().index(43, 32)]), 1.0F, 1e-5F);
+}
+
 TEST_F(DeepFramebuffers, NormalMapTiltsTowardsItsTexture) {
   Scene scene;
   add(scene, test::quad_mesh(), "bumpy");
