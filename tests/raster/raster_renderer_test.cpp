@@ -92,15 +92,15 @@ TEST_F(RasterRendererTest, RaysAndShadowMapsSeeTheSameShadows) {
   softness.shadow_rays = 16;
   const std::vector<Vec3> samples = evaluate({&*state_, Candidate::kAllLights}, all_pixels(), softness);
   double difference = 0.0;
-  int far_off = 0;
+  double bias = 0.0;
   for (std::size_t i = 0; i < samples.size(); ++i) {
-    const float d = glm::length(picture.rgb(i) - samples[i]);
-    difference += static_cast<double>(d);
-    far_off += d > 0.1F ? 1 : 0;
+    const Vec3 d = samples[i] - picture.rgb(i);
+    difference += static_cast<double>(glm::length(d)) / static_cast<double>(samples.size());
+    bias += static_cast<double>(d.x + d.y + d.z) / static_cast<double>(3 * samples.size());
   }
-  // Antialiased silhouettes and the texels of shadow edges differ; whole surfaces must not.
-  EXPECT_LT(difference / static_cast<double>(samples.size()), 0.02 * mean_of(picture) * 3.0);
-  EXPECT_LT(far_off, kWidth * kHeight / 20);
+  // Antialiased silhouettes and the noise of 16 rays in penumbrae differ by about 1 %; as many are brighter as darker.
+  EXPECT_LT(difference, 0.02 * mean_of(picture));
+  EXPECT_LT(std::abs(bias), 0.001 * mean_of(picture));
 }
 
 TEST_F(RasterRendererTest, TermsOfLightsAddUpToTheWhole) {

@@ -43,7 +43,7 @@ class SampleVisibilityTest : public testing::Test {
     lamp_.size_px = 2048;
   }
   std::vector<float> column(SampleVisibility& visibility, const ShadowLight& light,
-                                          const Softness& softness = {}) const {
+                            const Softness& softness = {}) const {
     const auto values = visibility.column(light, samples_, softness);
     return {values.begin(), values.end()};
   }
