@@ -134,6 +134,38 @@ TEST_F(RasterRendererTest, ATermIsLinearInTheLightsColour) {
   }
 }
 
+TEST_F(RasterRendererTest, ABatchMayHaveMoreLightsThanTheDeviceTakesAtOnceAndARigMayNot) {
+  use_style("cinematic");
+  drop_shadows();
+  const std::size_t block = state_->rig.lights[0].params.bytes().size();
+  const std::size_t capacity = static_cast<std::size_t>(device_->info().max_uniform_block_bytes) / block;
+  SampleSet samples;
+  samples.id = 3;
+  samples.pixels = {kWidth * (kHeight / 2) + kWidth / 2, kWidth * (kHeight - 5) + kWidth / 2};
+  const std::vector<Vec3> one = evaluate({&*state_, 0}, samples);
+  ASSERT_GT(one[0].x, 0.01F);
+  std::vector<ParamState> states(capacity + 10, *state_);
+  std::vector<Candidate> candidates;
+  for (std::size_t k = 0; k < states.size(); ++k) {
+    ParamBlock& params = states[k].rig.lights[0].params;
+    const int color = *params.schema().by_role("color");
+    params.set_vec3(color, static_cast<float>(k) * params.vec3(color));
+    candidates.push_back({&states[k], 0});
+  }
+  std::vector<Vec3> out(candidates.size() * samples.pixels.size());
+  LUM_EXPECT_OK(renderer_->evaluate(candidates, samples, {}, out));
+  for (std::size_t k = 0; k < states.size(); ++k) {
+    const Vec3 wanted = static_cast<float>(k) * one[0];
+    ASSERT_LT(glm::length(out[2 * k] - wanted), 1e-6F + 2e-6F * glm::length(wanted)) << "candidate " << k;
+  }
+
+  ParamState crowd = *state_;
+  crowd.rig.lights.resize(capacity + 1, crowd.rig.lights[0]);
+  const Candidate all{&crowd, Candidate::kAllLights};
+  EXPECT_EQ(error_of(renderer_->evaluate({&all, 1}, samples, {}, std::span(out).first(2))).kind, ErrorKind::kLimit);
+  EXPECT_EQ(error_of(renderer_->render(crowd, {.shadows = false})).kind, ErrorKind::kLimit);
+}
+
 TEST_F(RasterRendererTest, TheErrorIsThatOfTheReference) {
   use_style("cinematic");
   Target target;
