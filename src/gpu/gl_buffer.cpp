@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <memory>
 
 #include "base/check.h"
 
@@ -12,6 +10,9 @@ namespace luminist {
 namespace {
 
 constexpr std::size_t kLeastBytes = 16;
+/// NVIDIA's driver (580.159) does not keep larger direct writes in order with a clear before them: they are lost. By
+/// way of a copy they keep the order.
+constexpr std::size_t kLargestDirectWrite = std::size_t{64} << 10U;
 
 Result<void> check_size(const Device& device, BufferUse use, std::size_t bytes, const std::string& label) {
   std::int64_t limit = PTRDIFF_MAX;
@@ -26,15 +27,8 @@ Result<void> check_size(const Device& device, BufferUse use, std::size_t bytes, 
 }  // namespace
 
 Result<GlBuffer> GlBuffer::create(Device& device, BufferUse use, std::size_t bytes, const std::string& label) {
-  LUM_TRY_VOID(check_size(device, use, bytes, label));
-  // Zeros are uploaded and not made by fill(): NVIDIA's driver (580.159) loses a write of more than 64 KiB that follows
-  // a clear.
-  const std::size_t allocated = std::max(kLeastBytes, (bytes + 3) / 4 * 4);
-  const std::unique_ptr<void, decltype(&std::free)> zeros(std::calloc(allocated, 1), &std::free);
-  if (!zeros) return Error{ErrorKind::kLimit, fmt::format("no memory for {} ({} bytes)", label, bytes), "", "", ""};
-  LUM_TRY(GlBuffer buffer,
-          create_with(device, use, std::span(static_cast<const std::byte*>(zeros.get()), allocated), label));
-  buffer.bytes_ = bytes;
+  LUM_TRY(GlBuffer buffer, create_with(device, use, std::span(static_cast<const std::byte*>(nullptr), bytes), label));
+  buffer.fill(0, (bytes + 3) / 4 * 4, 0.0F);
   return buffer;
 }
 
@@ -43,9 +37,8 @@ Result<GlBuffer> GlBuffer::create_with(Device& device, BufferUse use, std::span<
   LUM_TRY_VOID(check_size(device, use, bytes.size(), label));
   LUM_TRY_VOID(device.check_errors("prepare " + label));
   GlBuffer buffer;
-  GLuint name = 0;
-  glCreateBuffers(1, &name);
-  buffer.name_ = GlName<remove>(name);
+  buffer.name_ = new_name();
+  const GLuint name = buffer.name();
   buffer.bytes_ = bytes.size();
   glObjectLabel(GL_BUFFER, name, -1, label.c_str());
   const std::size_t allocated = std::max(kLeastBytes, (bytes.size() + 3) / 4 * 4);
@@ -57,10 +50,24 @@ Result<GlBuffer> GlBuffer::create_with(Device& device, BufferUse use, std::span<
   return buffer;
 }
 
+GlName<GlBuffer::remove> GlBuffer::new_name() {
+  GLuint name = 0;
+  glCreateBuffers(1, &name);
+  return GlName<remove>(name);
+}
+
 void GlBuffer::write_bytes(std::size_t byte_offset, std::span<const std::byte> bytes) {
   LUM_CHECK(byte_offset + bytes.size() <= bytes_, "a write stays inside the buffer");
   if (bytes.empty()) return;
-  glNamedBufferSubData(name(), static_cast<GLintptr>(byte_offset), static_cast<GLsizeiptr>(bytes.size()), bytes.data());
+  const auto offset = static_cast<GLintptr>(byte_offset);
+  const auto size = static_cast<GLsizeiptr>(bytes.size());
+  if (bytes.size() <= kLargestDirectWrite) {
+    glNamedBufferSubData(name(), offset, size, bytes.data());
+    return;
+  }
+  const GlName<remove> staging = new_name();
+  glNamedBufferStorage(staging.get(), size, bytes.data(), 0);
+  glCopyNamedBufferSubData(staging.get(), name(), 0, offset, size);
 }
 
 void GlBuffer::read_bytes(std::size_t byte_offset, std::span<std::byte> bytes) const {
@@ -68,9 +75,7 @@ void GlBuffer::read_bytes(std::size_t byte_offset, std::span<std::byte> bytes) c
   if (bytes.empty()) return;
   glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
   // By way of a copy: a driver that sees a buffer read directly may move it to host memory, where shaders are slow.
-  GLuint staging_name = 0;
-  glCreateBuffers(1, &staging_name);
-  const GlName<remove> staging(staging_name);
+  const GlName<remove> staging = new_name();
   const auto size = static_cast<GLsizeiptr>(bytes.size());
   glNamedBufferStorage(staging.get(), size, nullptr, GL_MAP_READ_BIT | GL_CLIENT_STORAGE_BIT);
   glCopyNamedBufferSubData(name(), staging.get(), static_cast<GLintptr>(byte_offset), 0, size);

@@ -55,6 +55,7 @@ class GlBuffer {
   void read_bytes(std::size_t byte_offset, std::span<std::byte> bytes) const;
 
   static void remove(GLuint name) { glDeleteBuffers(1, &name); }
+  static GlName<remove> new_name();
   GlName<remove> name_;
   std::size_t bytes_ = 0;
 };
