@@ -3,7 +3,7 @@
 namespace luminist {
 
 std::vector<Recipe> recipes() {
-  return {{"bust", build_bust}, {"still_life", build_still_life}};
+  return {{"bust", build_bust}, {"creature", build_creature}, {"room", build_room}, {"still_life", build_still_life}};
 }
 
 Scene (*find_recipe(const std::string& name))() {

@@ -6,13 +6,11 @@
 namespace luminist {
 namespace {
 
-constexpr int kBevelSteps = 3;
-
 /// Places along one axis: fine over the bevels, nothing between.
-std::vector<float> stations(float half, float bevel) {
+std::vector<float> stations(float half, float bevel, int bevel_steps) {
   std::vector<float> places;
-  for (int i = 0; i <= kBevelSteps; ++i) {
-    const double angle = 0.25 * kPi * i / kBevelSteps;  // equal steps of the rounded edge
+  for (int i = 0; i <= bevel_steps; ++i) {
+    const double angle = 0.25 * kPi * i / bevel_steps;  // equal steps of the rounded edge
     places.push_back(half - bevel + bevel * static_cast<float>(std::tan(angle)));
   }
   std::vector<float> all(places.rbegin(), places.rend());
@@ -22,11 +20,12 @@ std::vector<float> stations(float half, float bevel) {
 }
 
 /// One of the six faces: `axis` is its normal's, `sign` the normal's direction.
-void add_face(Mesh& mesh, const Vec3& half, float bevel, int axis, float sign, int long_axis, float texture_size) {
+void add_face(Mesh& mesh, const Vec3& half, float bevel, int axis, float sign, int long_axis, float texture_size,
+              int bevel_steps) {
   const int a = (axis + 1) % 3;
   const int b = (axis + 2) % 3;
-  const std::vector<float> us = stations(half[a], bevel);
-  const std::vector<float> vs = stations(half[b], bevel);
+  const std::vector<float> us = stations(half[a], bevel, bevel_steps);
+  const std::vector<float> vs = stations(half[b], bevel, bevel_steps);
   const auto base = static_cast<std::uint32_t>(mesh.positions.size());
   const bool swap = b == long_axis;
   for (const float v : vs) {
@@ -55,21 +54,22 @@ void add_face(Mesh& mesh, const Vec3& half, float bevel, int axis, float sign, i
 
 }  // namespace
 
-Mesh slab(const Vec3& half, float bevel, float texture_size) {
+Mesh slab(const Vec3& half, float bevel, float texture_size, int bevel_steps) {
   Mesh mesh;
   int long_axis = 0;
   for (int axis = 1; axis < 3; ++axis) {
     if (half[axis] > half[long_axis]) long_axis = axis;
   }
   for (int axis = 0; axis < 3; ++axis) {
-    add_face(mesh, half, bevel, axis, 1.0F, long_axis, texture_size);
-    add_face(mesh, half, bevel, axis, -1.0F, long_axis, texture_size);
+    add_face(mesh, half, bevel, axis, 1.0F, long_axis, texture_size, bevel_steps);
+    add_face(mesh, half, bevel, axis, -1.0F, long_axis, texture_size, bevel_steps);
   }
   return mesh;
 }
 
-Mesh slab_at(const Vec3& center, const Vec3& half, float bevel, float texture_size, const Vec2& offset) {
-  Mesh mesh = slab(half, bevel, texture_size);
+Mesh slab_at(const Vec3& center, const Vec3& half, float bevel, float texture_size, const Vec2& offset,
+             int bevel_steps) {
+  Mesh mesh = slab(half, bevel, texture_size, bevel_steps);
   for (Vec3& p : mesh.positions) p += center;
   for (Vec2& uv : mesh.uvs) uv += offset;
   return mesh;
