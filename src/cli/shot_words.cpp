@@ -1,6 +1,8 @@
 #include "cli/shot_words.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cctype>
 #include <charconv>
 
 #include <fmt/format.h>
@@ -68,7 +70,8 @@ Result<Shot> shot_from(const ShotWords& words) {
 
 Result<void> check_image_output(const std::string& path) {
   const fs::path file(path);
-  const std::string ending = file.extension().string();
+  std::string ending = file.extension().string();
+  std::transform(ending.begin(), ending.end(), ending.begin(), [](unsigned char c) { return std::tolower(c); });
   if (ending != ".exr" && ending != ".png") {
     return Error{ErrorKind::kUsage, fmt::format("\"{}\" is no kind of picture that can be written", ending), path, "-o",
                  "end the name in .exr or .png"};

@@ -102,19 +102,20 @@ class Plot {
     drawing_.text(kWidth - kRight - text_width(x_name, kTextScale), kHeight - 34, x_name, kTextScale, ink);
   }
 
-  void draw_curve(const std::vector<ConvergencePoint>& points) {
+  /// The best so far holds until a better one is found, and to the end of the work.
+  void draw_curve(const std::vector<ConvergencePoint>& points, double work) {
     const Vec3 color = rgb8(24, 96, 168);
     DrawPoint last{};
     for (std::size_t i = 0; i < points.size(); ++i) {
       const DrawPoint here = at(points[i].render_equivalents, std::max(points[i].epsilon, y_.low));
       if (i > 0) {
-        // The best so far holds until a better one is found.
         drawing_.line(last, {here.x, last.y}, 2.5F, color);
         drawing_.line({here.x, last.y}, here, 2.5F, color);
       }
       if (points.size() <= 60) drawing_.line(here, here, 7.0F, color);
       last = here;
     }
+    if (!points.empty()) drawing_.line(last, {at(work, y_.low).x, last.y}, 2.5F, color);
   }
 
   [[nodiscard]] Image take() { return std::move(image_); }
@@ -141,7 +142,7 @@ Image convergence_plot(const SolveReport& report) {
   plot.draw_axes(fmt::format("{} solver: {} pictures compared, {:.3g} render equivalents", report.solver, report.evals,
                              report.render_equivalents),
                  "work in render equivalents", "error, best so far");
-  plot.draw_curve(report.convergence);
+  plot.draw_curve(report.convergence, most_work);
   return plot.take();
 }
 

@@ -1,0 +1,153 @@
+#include <nlohmann/json.hpp>
+
+#include "cli/program.h"
+#include "image_io/image_io.h"
+
+namespace luminist {
+namespace {
+
+constexpr const char* kScript = R"(# a key light, step by step
+{"do": "open", "scene": "ball.obj", "size": [64, 48]}
+
+{"do": "paint", "strokes": "light.json"}
+{"do": "add_light", "name": "key"}
+{"do": "solve", "seed": 1, "max_evals": 40}
+{"do": "accept"}
+{"do": "export", "to": "step1", "label": "key light"}
+{"do": "paint", "strokes": {"strokes": [{"color": [0, 0, 1], "add_light": true, "points": [[0.3, 0.5]]}]}}
+{"do": "undo"}
+{"do": "redo"}
+{"do": "undo"}
+{"do": "set", "path": "ambient/color", "value": [0.1, 0.1, 0.1]}
+{"do": "contact_sheet", "to": "sheet.png"}
+{"do": "save", "project": "ball.lum"}
+)";
+
+TEST_F(CliTest, ReplaysAScriptAndTheProjectThatItSaved) {
+  write("script.jsonl", kScript);
+  const Outcome outcome = luminist("replay script.jsonl -o out");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  for (const char* name :
+       {"out/step1/picture.exr", "out/step1/convergence.png", "out/sheet.png", "out/ball.lum/log.jsonl"}) {
+    EXPECT_TRUE(exists(name)) << name;
+  }
+  for (const char* log : {"out/ball.lum", "out/ball.lum/log.jsonl"}) {
+    const Outcome again = luminist(std::string("replay ") + log + " -o again");
+    EXPECT_EQ(again.status, 0) << again.err;
+    EXPECT_NE(read("again/rig.toml").find("0.1, 0.1, 0.1"), std::string::npos);
+  }
+}
+
+TEST_F(CliTest, GoesOnWithASavedProject) {
+  write("script.jsonl", kScript);
+  ASSERT_EQ(luminist("replay script.jsonl -o out").status, 0);
+  write("more.jsonl", R"({"do": "open", "project": "out/ball.lum"}
+{"do": "undo", "steps": 4}
+{"do": "export", "to": "start"}
+{"do": "save"}
+)");
+  const Outcome outcome = luminist("replay more.jsonl -o out");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  ASSERT_EQ(luminist("render ball.obj --size 64x48 -o start.exr").status, 0);
+  LUM_ASSERT_OK(const Image undone, read_image(folder_.file("out/start/picture.exr")));
+  LUM_ASSERT_OK(const Image start, read_image(folder_.file("start.exr")));
+  EXPECT_EQ(undone.data, start.data);
+}
+
+TEST_F(CliTest, NamesTheLineAndTheFieldOfAScript) {
+  const std::string open = "{\"do\": \"open\", \"scene\": \"ball.obj\", \"size\": [32, 32]}\n";
+  struct Case {
+    std::string script;
+    std::string place;
+    std::string words;
+    int status;
+  };
+  for (const Case& each :
+       {Case{"{\"do\": \"undo\"}\n", "s.jsonl:1", "open", 3},
+        Case{open + "{\"do\": \"pant\"}\n", "s.jsonl:2", "\"paint\"", 3},
+        Case{open + "\n{\"do\": \"paint\", \"stroke\": \"x\"}\n", "s.jsonl:3", "strokes", 3},
+        Case{open + "{\"do\": \"solve\", \"seed\": \"one\"}\n", "s.jsonl:2", "seed", 3},
+        Case{open + "{\"do\": \"solve\"}\n", "s.jsonl:2", "nothing is painted", 8},
+        Case{open + "{\"do\": \"accept\"}\n", "s.jsonl:2", "solve first", 8},
+        Case{open + "{\"do\": \"paint\", \"strokes\": \"none.json\"}\n", "s.jsonl:2", "none.json", 4},
+        Case{open + "{\"do\": \"mute\", \"light\": \"kye\"}\n", "s.jsonl:2", "kye", 2},
+        Case{open + "not json\n", "s.jsonl:2", "JSON", 3}, Case{open + "[1]\n", "s.jsonl:2", "do", 3}}) {
+    write("s.jsonl", each.script);
+    const Outcome outcome = luminist("replay s.jsonl -o out");
+    expect_error(outcome, each.status);
+    EXPECT_NE(outcome.err.find(each.place), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find(each.words), std::string::npos) << outcome.err;
+  }
+}
+
+TEST_F(CliTest, StoppedAScriptLeavesTheBestSoFar) {
+  write("s.jsonl", R"({"do": "open", "scene": "ball.obj", "size": [64, 48]}
+{"do": "paint", "strokes": "light.json"}
+{"do": "add_light"}
+{"do": "export", "to": "ready"}
+{"do": "solve", "solver": "simplex"}
+)");
+  const Outcome outcome = shell(
+      "\"$LUMINIST\" replay s.jsonl -o out >/dev/null & pid=$!\n"
+      "while ! [ -e out/ready/residual.png ] && kill -0 $pid; do sleep 0.1; done; sleep 0.5\n"
+      "kill -TERM $pid; wait $pid",
+      folder_.path());
+  EXPECT_EQ(outcome.status, 143) << outcome.err;
+  EXPECT_TRUE(exists("out/stopped/picture.exr"));
+}
+
+TEST_F(CliTest, RefusesADamagedOrNewerProject) {
+  write("script.jsonl", kScript);
+  ASSERT_EQ(luminist("replay script.jsonl -o out").status, 0);
+  const std::string log = read("out/ball.lum/log.jsonl");
+  std::string damaged = log;
+  damaged[log.find("\"before\"") + 1] = 'B';
+  write("out/ball.lum/log.jsonl", damaged);
+  const Outcome outcome = luminist("replay out/ball.lum -o again");
+  expect_error(outcome, 3);
+  EXPECT_NE(outcome.err.find("log.jsonl:"), std::string::npos) << outcome.err;
+}
+
+TEST_F(CliTest, SavesNothingOverAFolderThatIsNoProject) {
+  std::filesystem::create_directories(folder_.path() / "out/photos.lum");
+  write("out/photos.lum/photo", "x");
+  write("s.jsonl",
+        "{\"do\": \"open\", \"scene\": \"ball.obj\", \"size\": [32, 32]}\n"
+        "{\"do\": \"save\", \"project\": \"photos.lum\"}\n");
+  expect_error(luminist("replay s.jsonl -o out"), 5);
+  EXPECT_EQ(read("out/photos.lum/photo"), "x");
+}
+
+TEST_F(CliTest, ComparesGoldenPictures) {
+  std::filesystem::create_directories(folder_.path() / "styles/flat");
+  write("styles/flat/style.toml", R"(doc = "Albedo."
+shade = "flat.glsl"
+lights = "joint"
+
+[[golden]]
+name = "ball"
+scene = "ball.obj"
+width = 32
+height = 32
+max_difference = 0.001
+mean_difference = 0.0001
+reason = "the same machine draws the same bits; the numbers allow for half floats"
+)");
+  write("styles/flat/flat.glsl", "vec3 shade(Surface s) {\n  return s.albedo;\n}\n");
+  const Outcome missing = luminist("golden styles/flat -o page");
+  EXPECT_EQ(missing.status, 1) << missing.err;
+  EXPECT_NE(missing.out.find("no reference"), std::string::npos) << missing.out;
+  EXPECT_TRUE(exists("page/ball.exr"));
+  EXPECT_EQ(luminist("golden styles/flat --update -o page").status, 0);
+  EXPECT_TRUE(exists("styles/flat/golden/ball.exr"));
+  EXPECT_EQ(luminist("golden styles/flat -o page").status, 0);
+  write("styles/flat/flat.glsl", "vec3 shade(Surface s) {\n  return 1.1 * s.albedo;\n}\n");
+  const Outcome differs = luminist("golden styles/flat -o page");
+  EXPECT_EQ(differs.status, 1) << differs.err;
+  EXPECT_NE(differs.out.find("FAILED ball: max"), std::string::npos) << differs.out;
+  EXPECT_NE(read("page/index.html").find("ball.difference.png"), std::string::npos);
+  EXPECT_TRUE(exists("page/ball.reference.png"));
+}
+
+}  // namespace
+}  // namespace luminist

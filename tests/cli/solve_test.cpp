@@ -1,0 +1,138 @@
+#include <limits>
+#include <nlohmann/json.hpp>
+
+#include "cli/program.h"
+#include "image_io/image_io.h"
+
+namespace luminist {
+namespace {
+
+constexpr const char* kSolve = "solve ball.obj --size 64x48 --paint light.json --add-light 1 --evals 60 ";
+
+TEST_F(CliTest, SolvesAndWritesEveryFile) {
+  const Outcome outcome = luminist(std::string(kSolve) + "--json -o out");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  for (const char* name : {"picture.exr", "picture.png", "target.exr", "target.png", "importance.exr", "importance.png",
+                           "residual.exr", "residual.png", "rig.toml", "convergence.jsonl", "convergence.png"}) {
+    EXPECT_TRUE(exists(std::string("out/") + name)) << name;
+  }
+  const auto json = nlohmann::json::parse(outcome.out, nullptr, false);
+  ASSERT_TRUE(json.is_object()) << outcome.out;
+  for (const char* field :
+       {"epsilon_start", "epsilon", "evals", "render_equivalents", "seconds", "solver", "lights", "termination"}) {
+    EXPECT_TRUE(json.contains(field)) << field;
+  }
+  EXPECT_LT(json["epsilon"].get<double>(), json["epsilon_start"].get<double>());
+  ASSERT_EQ(json["lights"].size(), 1U);
+  EXPECT_EQ(json["lights"][0]["params"]["color"].size(), 3U);
+  // The rig that was found makes the picture that was written.
+  ASSERT_EQ(luminist("render ball.obj --size 64x48 --rig out/rig.toml -o again.exr").status, 0);
+  LUM_ASSERT_OK(const Image picture, read_image(folder_.file("out/picture.exr")));
+  LUM_ASSERT_OK(const Image again, read_image(folder_.file("again.exr")));
+  EXPECT_EQ(picture.data, again.data);
+}
+
+TEST_F(CliTest, TheSameSeedGivesTheSameBits) {
+  ASSERT_EQ(luminist(std::string(kSolve) + "--seed 7 -o one").status, 0);
+  ASSERT_EQ(luminist(std::string(kSolve) + "--seed 7 -o two").status, 0);
+  EXPECT_EQ(read("one/rig.toml"), read("two/rig.toml"));
+}
+
+TEST_F(CliTest, MatchesAPictureAsTarget) {
+  ASSERT_EQ(luminist("render ball.obj --size 64x48 --rig rig.toml --set lights/key/color=0.2,0.5,0.9 -o t.exr").status,
+            0);
+  const Outcome outcome = luminist(
+      "solve ball.obj --size 64x48 --rig rig.toml --target t.exr --lock '*' --unlock lights/key/color --evals 60 "
+      "--json "
+      "-o out");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  const auto json = nlohmann::json::parse(outcome.out, nullptr, false);
+  ASSERT_TRUE(json.is_object()) << outcome.out;
+  EXPECT_EQ(json["lights"][0]["unlocked"].size(), 3U);
+  EXPECT_LT(json["epsilon"].get<double>(), 0.05 * json["epsilon_start"].get<double>());
+  EXPECT_NEAR(json["lights"][0]["params"]["color"][2].get<double>(), 0.9, 0.05);
+}
+
+TEST_F(CliTest, UntilAnErrorThatIsNotReachedEndsWithOne) {
+  EXPECT_EQ(luminist(std::string(kSolve) + "--until 0.0000001 -o out").status, 1);
+  EXPECT_TRUE(exists("out/picture.exr"));
+  EXPECT_EQ(luminist(std::string(kSolve) + "--until 10 -o out").status, 0);
+}
+
+TEST_F(CliTest, SaysAtOnceThatThereIsNothingToDo) {
+  write("nothing.json", R"({"strokes": []})");
+  expect_error(luminist("solve ball.obj --size 64x48 --rig rig.toml --paint nothing.json -o out"), 8);
+  expect_error(luminist("solve ball.obj --size 64x48 --rig rig.toml --paint light.json --lock '*' -o out"), 8);
+  expect_error(luminist("solve ball.obj --size 64x48 --paint light.json -o out"), 8);  // no light, none added
+  write("dark.json", R"({"strokes": [{"color": [0, 0, 0], "points": [[0.6, 0.4]]}]})");
+  expect_error(luminist("solve ball.obj --size 64x48 --paint dark.json --add-light 1 -o out"), 8);
+  EXPECT_FALSE(exists("out/picture.exr"));
+}
+
+TEST_F(CliTest, RefusesWordsThatContradictEachOther) {
+  expect_error(luminist("solve ball.obj -o out"), 2);
+  expect_error(luminist("solve ball.obj --paint light.json --target t.exr -o out"), 2);
+  expect_error(luminist("solve ball.obj --paint light.json --importance i.exr -o out"), 2);
+  expect_error(luminist("solve ball.obj --paint light.json --solver newton -o out"), 2);
+  expect_error(luminist("solve ball.obj --paint light.json --evals 5 --seconds 5 -o out"), 2);
+  expect_error(
+      luminist("solve ball.obj --size 64x48 --rig rig.toml --paint light.json --unlock lights/kye/color -o out"), 2);
+}
+
+TEST_F(CliTest, NamesTheFieldOfABrokenStroke) {
+  write("broken.json", "{\"strokes\": [\n{\"colour\": [1, 1, 1], \"points\": [[0, 0]]}]}");
+  const Outcome outcome = luminist("solve ball.obj --size 64x48 --paint broken.json --add-light 1 -o out");
+  expect_error(outcome, 3);
+  EXPECT_NE(outcome.err.find("broken.json:2"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("color"), std::string::npos) << outcome.err;
+}
+
+TEST_F(CliTest, MasksWhatIsNotANumberInATargetAndSaysSo) {
+  ASSERT_EQ(luminist("render ball.obj --size 64x48 --rig rig.toml --set lights/key/color=0.2,0.5,0.9 -o t.exr").status,
+            0);
+  LUM_ASSERT_OK(Image target, read_image(folder_.file("t.exr")));
+  for (const int x : {3, 4, 5}) target.at(x, 2, 0) = std::numeric_limits<float>::quiet_NaN();
+  LUM_EXPECT_OK(write_image(folder_.file("nan.exr"), target));
+  const Outcome outcome = luminist(
+      "solve ball.obj --size 64x48 --rig rig.toml --target nan.exr --lock '*' --unlock lights/key/color --evals 40 -o "
+      "out");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_NE(outcome.err.find("3 pixels"), std::string::npos) << outcome.err;
+  EXPECT_NE(outcome.err.find("(3, 2)"), std::string::npos) << outcome.err;
+  LUM_ASSERT_OK(const Image importance, read_image(folder_.file("out/importance.exr")));
+  EXPECT_EQ(importance.at(4, 2, 0), 0.0F);
+  EXPECT_EQ(importance.at(10, 10, 0), 1.0F);
+}
+
+TEST_F(CliTest, AnImportanceMapOfZerosCountsNothing) {
+  LUM_EXPECT_OK(write_image(folder_.file("zero.exr"), Image(64, 48, 1, 0.0F)));
+  LUM_EXPECT_OK(write_image(folder_.file("t.exr"), Image(64, 48, 3, 0.5F)));
+  expect_error(luminist("solve ball.obj --size 64x48 --rig rig.toml --target t.exr --importance zero.exr -o out"), 8);
+}
+
+TEST_F(CliTest, StoppedItWritesTheBestSoFar) {
+  for (const auto& [signal, status] : {std::pair("INT", 130), std::pair("TERM", 143)}) {
+    // How long loading takes is the machine's business: wait longer until the signal arrives during the solve.
+    for (int wait = 2; wait <= 64; wait *= 2) {
+      const Outcome outcome =
+          shell("timeout --foreground --preserve-status -s " + std::string(signal) + " " + std::to_string(wait) +
+                    " \"$LUMINIST\" solve ball.obj --size 64x48 --paint light.json --add-light 1 --solver simplex -o " +
+                    signal,
+                folder_.path());
+      ASSERT_EQ(outcome.status, status) << outcome.err;
+      if (exists(std::string(signal) + "/picture.exr")) break;
+    }
+    LUM_EXPECT_OK(read_image((folder_.path() / signal / "picture.exr").string()));
+    EXPECT_TRUE(exists(std::string(signal) + "/rig.toml"));
+  }
+}
+
+TEST_F(CliTest, SecondsLimitASolveFromOutside) {
+  const Outcome outcome = luminist(
+      "solve ball.obj --size 64x48 --paint light.json --add-light 1 --solver simplex --seconds 0.2 --json -o out");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(nlohmann::json::parse(outcome.out)["termination"], "stopped");
+}
+
+}  // namespace
+}  // namespace luminist
