@@ -3,7 +3,8 @@
 #include <memory>
 
 #include "cli/shot_words.h"
-#include "studio/results.h"
+#include "image_io/image_io.h"
+#include "studio/session.h"
 
 namespace luminist {
 namespace {
@@ -33,7 +34,8 @@ Result<int> paint(const Words& words, VerbContext& context) {
   LUM_TRY_VOID((*session)->paint(strokes, path));
   LUM_TRY(const Target* target, (*session)->target());
   const std::string importance = importance_path(words.output);
-  LUM_TRY_VOID(write_all({{words.output, target->color}, {importance, target->importance}}));
+  const std::vector<ImageFile> files = {{words.output, &target->color}, {importance, &target->importance}};
+  LUM_TRY_VOID(write_images(files));
   context.console.result(words.output);
   context.console.result(importance);
   return 0;

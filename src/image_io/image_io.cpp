@@ -200,25 +200,62 @@ std::string encoded_bytes(const Image& image, bool srgb) {
   return bytes;
 }
 
-Result<std::string> encode(const char* verb, const Image& image, std::string_view samples,
-                           const std::map<std::string, std::string>& attributes, const std::string& name) {
+/// An image that is to become a file.
+struct Encodable {
+  const char* verb;  ///< kEncodeExrVerb, kEncodePngVerb
+  const Image* image;
+  std::string name;     ///< for messages
+  std::string text;     ///< attributes as the helper reads them
+  std::string encoded;  ///< samples of a PNG; those of an EXR are the image's own
+
+  [[nodiscard]] std::string_view samples() const {
+    if (verb != kEncodeExrVerb) return encoded;
+    return {reinterpret_cast<const char*>(image->data.data()), image->data.size() * sizeof(float)};
+  }
+};
+
+Result<Encodable> encodable(const std::string& path, const Image& image,
+                            const std::map<std::string, std::string>& attributes) {
+  std::string extension = fs::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return std::tolower(c); });
+  if (extension != ".exr" && extension != ".png") {
+    return Error{ErrorKind::kUsage, fmt::format("cannot write an image of kind \"{}\"", extension), path, "",
+                 "use .exr or .png"};
+  }
+  if (extension == ".png" && image.channels > 4) {
+    return Error{ErrorKind::kUsage, fmt::format("a PNG cannot hold {} channels", image.channels), path, "", "use .exr"};
+  }
   if (!size_is_allowed(image.width, image.height, image.channels)) {
     return Error{
         ErrorKind::kLimit,
         fmt::format("{} x {} pixels of {} channels are over the limit", image.width, image.height, image.channels),
-        name, "", ""};
+        path, "", ""};
   }
-  std::string text;
-  for (const auto& [key, value] : attributes) text += key + '\0' + value + '\0';
-  Question question;
-  question.header.width = image.width, question.header.height = image.height;
-  question.header.channels = image.channels;
-  question.text = text, question.data = samples;
-  LUM_TRY(Dialogue dialogue, ask(verb, {&question, 1}));
-  if (dialogue.answers.empty()) return helper_died(dialogue.end, name);
-  Answer& answer = dialogue.answers.front();
-  if (answer.header.status != 0) return error_of(answer, name);
-  return std::move(answer.data);
+  Encodable item{extension == ".exr" ? kEncodeExrVerb : kEncodePngVerb, &image, path, "", ""};
+  for (const auto& [key, value] : attributes) item.text += key + '\0' + value + '\0';
+  if (extension == ".png") item.encoded = encoded_bytes(image, true);
+  return item;
+}
+
+/// The files' bytes, from one run of the helper. All of one verb.
+Result<std::vector<std::string>> encode(std::span<const Encodable> items) {
+  std::vector<Question> questions;
+  for (const Encodable& item : items) {
+    Question question;
+    question.header.width = item.image->width, question.header.height = item.image->height;
+    question.header.channels = item.image->channels;
+    question.text = item.text, question.data = item.samples();
+    questions.push_back(question);
+  }
+  LUM_TRY(Dialogue dialogue, ask(items.front().verb, questions));
+  std::vector<std::string> files;
+  for (Answer& answer : dialogue.answers) {
+    if (answer.header.status != 0) return error_of(answer, items[files.size()].name);
+    files.push_back(std::move(answer.data));
+  }
+  if (files.size() < items.size()) return helper_died(dialogue.end, items[files.size()].name);
+  return files;
 }
 
 }  // namespace
@@ -265,28 +302,35 @@ std::vector<Result<Image>> read_images(std::span<const ImageSource> sources) {
 
 Result<void> write_image(const std::string& path, const Image& image,
                          const std::map<std::string, std::string>& attributes) {
-  std::string extension = fs::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return std::tolower(c); });
-  if (extension != ".exr" && extension != ".png") {
-    return Error{ErrorKind::kUsage, fmt::format("cannot write an image of kind \"{}\"", extension), path, "",
-                 "use .exr or .png"};
+  const ImageFile file{path, &image, attributes};
+  return write_images({&file, 1});
+}
+
+Result<void> write_images(std::span<const ImageFile> files) {
+  std::vector<Encodable> items;
+  for (const ImageFile& file : files) {
+    LUM_TRY(Encodable item, encodable(file.path, *file.image, file.attributes));
+    items.push_back(std::move(item));
   }
-  if (extension == ".png" && image.channels > 4) {
-    return Error{ErrorKind::kUsage, fmt::format("a PNG cannot hold {} channels", image.channels), path, "", "use .exr"};
+  const auto first_png =
+      std::stable_partition(items.begin(), items.end(), [](const Encodable& i) { return i.verb == kEncodeExrVerb; });
+  for (const std::span<const Encodable> run :
+       {std::span(items.begin(), first_png), std::span(first_png, items.end())}) {
+    if (run.empty()) continue;
+    LUM_TRY(const std::vector<std::string> bytes, encode(run));
+    for (std::size_t i = 0; i < run.size(); ++i) LUM_TRY_VOID(write_file_atomic(run[i].name, bytes[i]));
   }
-  if (extension == ".exr") {
-    const std::string_view samples(reinterpret_cast<const char*>(image.data.data()), image.data.size() * sizeof(float));
-    LUM_TRY(const std::string bytes, encode(kEncodeExrVerb, image, samples, attributes, path));
-    return write_file_atomic(path, bytes);
-  }
-  LUM_TRY(const std::string bytes, encode(kEncodePngVerb, image, encoded_bytes(image, true), attributes, path));
-  return write_file_atomic(path, bytes);
+  return {};
 }
 
 Result<std::string> encode_png(const Image& image, Encoding encoding) {
   LUM_CHECK(image.channels <= 4, "a PNG holds up to four channels");
-  return encode(kEncodePngVerb, image, encoded_bytes(image, encoding != Encoding::kLinear), {}, "a PNG in memory");
+  Encodable item{kEncodePngVerb, &image, "a PNG in memory", "", encoded_bytes(image, encoding != Encoding::kLinear)};
+  if (!size_is_allowed(image.width, image.height, image.channels)) {
+    return Error{ErrorKind::kLimit, "the image is over the limit", item.name, "", ""};
+  }
+  LUM_TRY(std::vector<std::string> bytes, encode({&item, 1}));
+  return std::move(bytes.front());
 }
 
 }  // namespace luminist

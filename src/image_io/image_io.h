@@ -39,6 +39,17 @@ Result<Image> decode_image(std::string_view bytes, const std::string& name, Enco
 Result<void> write_image(const std::string& path, const Image& image,
                          const std::map<std::string, std::string>& attributes = {});
 
+/// One of many images to be written.
+struct ImageFile {
+  std::string path;
+  const Image* image = nullptr;  ///< outlives the call
+  std::map<std::string, std::string> attributes = {};
+};
+
+/// Writes many images in two runs of the helper, one for each kind of file. errors the first, before
+/// anything is written where the name or the size is wrong.
+Result<void> write_images(std::span<const ImageFile> files);
+
 /// 8-bit PNG in memory. errors kChild.
 Result<std::string> encode_png(const Image& image, Encoding encoding);
 

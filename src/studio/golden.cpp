@@ -7,7 +7,7 @@
 
 #include "image_io/image_io.h"
 #include "studio/heat_map.h"
-#include "studio/results.h"
+#include "studio/stage.h"
 
 namespace luminist {
 namespace {
@@ -102,26 +102,29 @@ Result<GoldenOutcome> run_golden(Device& device, const AssetRoots& roots, const 
   LUM_TRY(const auto stage, open_stage(device, roots, shot, style.folder, diagnostics));
   LUM_TRY(const ParamState state, starting_state(*stage, roots, shot, style.folder));
   LUM_TRY(Image picture, stage->renderer->render(state));
-  const fs::path file = output / (golden.name + ".exr");
-  LUM_TRY_VOID(write_all({{file, picture}, {output / (golden.name + ".png"), picture}}));
+  const auto in_output = [&](const char* ending) { return (output / (golden.name + ending)).string(); };
+  const std::string file = in_output(".exr");
+  const std::vector<ImageFile> candidate = {{file, &picture}, {in_output(".png"), &picture}};
+  LUM_TRY_VOID(write_images(candidate));
   GoldenOutcome outcome{.golden = golden, .verdict = "", .difference = {}};
   const fs::path reference_file = reference_path(style, golden);
   auto reference = read_image(reference_file.string());
   if (!reference && reference.error().kind == ErrorKind::kMissing) {
-    outcome.verdict = fmt::format("no reference {}; the candidate is {}", reference_file.string(), file.string());
+    outcome.verdict = fmt::format("no reference {}; the candidate is {}", reference_file.string(), file);
     return outcome;
   }
   if (!reference) return std::move(reference).error();
   outcome.has_reference = true;
-  LUM_TRY(picture, read_image(file.string()));  // both went through the file's half floats
+  LUM_TRY(picture, read_image(file));  // both went through the file's half floats
   outcome.difference = compare_pictures(picture, *reference);
   judge(outcome);
-  std::vector<ImageFile> files = {{output / (golden.name + ".reference.png"), *reference}};
+  Image map;
+  std::vector<ImageFile> files = {{in_output(".reference.png"), &*reference}};
   if (picture.same_size(*reference) && picture.channels == reference->channels) {
-    const auto white = static_cast<float>(std::max(golden.max_difference, 1e-3));
-    files.push_back({output / (golden.name + ".difference.png"), heat_map(difference_map(picture, *reference), white)});
+    map = heat_map(difference_map(picture, *reference), static_cast<float>(std::max(golden.max_difference, 1e-3)));
+    files.push_back({in_output(".difference.png"), &map});
   }
-  LUM_TRY_VOID(write_all(files));
+  LUM_TRY_VOID(write_images(files));
   return outcome;
 }
 

@@ -1,10 +1,6 @@
 #include "studio/results.h"
 
 #include <algorithm>
-#include <atomic>
-#include <mutex>
-#include <system_error>
-#include <thread>
 #include <utility>
 
 #include <nlohmann/json.hpp>
@@ -44,45 +40,26 @@ Image importance_picture(const Image& importance) {
   return picture;
 }
 
-Result<void> write_all(const std::vector<ImageFile>& files) {
-  // Most of the time goes into starting the helper process, so that two at a time are worth a thread.
-  std::atomic<std::size_t> next{0};
-  std::mutex mutex;
-  Result<void> outcome;
-  const auto work = [&] {
-    for (std::size_t i = next++; i < files.size(); i = next++) {
-      auto written = write_image(files[i].path.string(), files[i].image);
-      const std::lock_guard lock(mutex);
-      if (!written && outcome) outcome = std::move(written);
-    }
-  };
-  try {
-    const std::jthread helper(work);
-    work();
-  } catch (const std::system_error&) {
-    work();  // no thread to be had
-  }
-  return outcome;
-}
-
 Result<void> write_results(const Results& results, const std::filesystem::path& folder) {
   LUM_TRY_VOID(make_folder(folder));
   LUM_TRY_VOID(write_file_atomic(folder / "rig.toml", results.rig));
   // A few bright pixels must not darken the rest of the map.
   const float white = std::max(quantile(results.residual, 0.995), 1e-6F);
-  std::vector<ImageFile> files = {{folder / "picture.exr", results.picture},
-                                  {folder / "picture.png", results.picture},
-                                  {folder / "target.exr", results.target},
-                                  {folder / "target.png", results.target},
-                                  {folder / "importance.exr", results.importance},
-                                  {folder / "importance.png", importance_picture(results.importance)},
-                                  {folder / "residual.exr", results.residual},
-                                  {folder / "residual.png", heat_map(results.residual, white)}};
+  const Image importance = importance_picture(results.importance);
+  const Image residual = heat_map(results.residual, white);
+  Image plot;
+  const auto in_folder = [&](const char* name) { return (folder / name).string(); };
+  std::vector<ImageFile> files = {
+      {in_folder("picture.exr"), &results.picture},       {in_folder("picture.png"), &results.picture},
+      {in_folder("target.exr"), &results.target},         {in_folder("target.png"), &results.target},
+      {in_folder("importance.exr"), &results.importance}, {in_folder("importance.png"), &importance},
+      {in_folder("residual.exr"), &results.residual},     {in_folder("residual.png"), &residual}};
   if (results.report) {
     LUM_TRY_VOID(write_file_atomic(folder / "convergence.jsonl", convergence_lines(*results.report)));
-    files.push_back({folder / "convergence.png", convergence_plot(*results.report)});
+    plot = convergence_plot(*results.report);
+    files.push_back({in_folder("convergence.png"), &plot});
   }
-  return write_all(files);
+  return write_images(files);
 }
 
 Json solve_to_json(const SolveReport& report, const ParamState& state) {

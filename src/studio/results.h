@@ -28,14 +28,6 @@ Result<Results> collect_results(Session& session);
 /// residual.{exr,png} (a heat map), rig.toml, and after a solve convergence.{jsonl,png}. errors kUnwritable, kChild.
 Result<void> write_results(const Results& results, const std::filesystem::path& folder);
 
-/// One image to be written.
-struct ImageFile {
-  std::filesystem::path path;
-  Image image;
-};
-/// Several at once. errors the first one's.
-Result<void> write_all(const std::vector<ImageFile>& files);
-
 /// Importance as the paper prints it: 1 is black.
 Image importance_picture(const Image& importance);
 

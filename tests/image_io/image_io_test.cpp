@@ -172,5 +172,32 @@ TEST(ImageIo, RefusesToWriteWhatItCannotAndLeavesTheOldFile) {
   EXPECT_EQ(entries, 1U);  // no temporary file stays
 }
 
+TEST(ImageIo, WritesManyFilesOfBothKindsAsItWritesOne) {
+  const TemporaryFolder folder;
+  const Image wide = ramp(6, 3, 3);
+  const Image tall = ramp(3, 6, 1);
+  const std::vector<ImageFile> files = {{folder.file("a.png"), &wide},
+                                        {folder.file("b.exr"), &tall},
+                                        {folder.file("c.png"), &tall, {{"note", "kept"}}},
+                                        {folder.file("d.exr"), &wide}};
+  LUM_EXPECT_OK(write_images(files));
+  LUM_EXPECT_OK(write_image(folder.file("one.png"), wide));
+  EXPECT_EQ(*read_file(folder.file("a.png")), *read_file(folder.file("one.png")));
+  LUM_ASSERT_OK(const Image b, read_image(folder.file("b.exr")));
+  LUM_ASSERT_OK(const Image c, read_image(folder.file("c.png")));
+  LUM_ASSERT_OK(const Image d, read_image(folder.file("d.exr")));
+  EXPECT_EQ(b.height, 6);
+  EXPECT_EQ(c.channels, 1);
+  EXPECT_EQ(d.width, 6);
+}
+
+TEST(ImageIo, WritesNoneOfManyIfOneCannotBe) {
+  const TemporaryFolder folder;
+  const Image image = ramp(2, 2, 3);
+  const std::vector<ImageFile> files = {{folder.file("a.png"), &image}, {folder.file("b.jpg"), &image}};
+  EXPECT_EQ(error_of(write_images(files)).kind, ErrorKind::kUsage);
+  EXPECT_TRUE(std::filesystem::is_empty(folder.path()));
+}
+
 }  // namespace
 }  // namespace luminist

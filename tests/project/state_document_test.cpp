@@ -1,0 +1,123 @@
+#include "project/state_document.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <random>
+
+#include "support/fixtures.h"
+
+namespace luminist {
+namespace {
+
+class StateDocument : public testing::Test {
+ protected:
+  void SetUp() override {
+    const AssetRoots roots = AssetRoots::standard();
+    LUM_ASSERT_OK(types_, LightTypes::load(roots));
+    LUM_ASSERT_OK(style_, load_style(roots, "toon"));
+  }
+
+  /// Two lights with random values and locks.
+  ParamState random_state(unsigned seed) {
+    std::mt19937 random(seed);
+    ParamState state = initial_state(types_, style_, frame_);
+    for (const char* type : {"cinematic", "point"}) {
+      auto light = make_light(types_, type, std::string("my ") + type, frame_);
+      EXPECT_TRUE(light);
+      if (!light) continue;
+      state.rig.lights.push_back(*light);
+    }
+    state.rig.lights[0].group = "fill";
+    state.rig.lights[1].muted = true;
+    state.rig.shadow_light = "my point";
+    for (ParamBlock* block : state.blocks()) {
+      for (int param = 0; param < block->schema().size(); ++param) {
+        if (block->schema()[param].dofs() == 0) continue;
+        for (int component = 0; component < block->schema()[param].components(); ++component) {
+          block->set(param, component, std::uniform_real_distribution<double>(-2.0, 2.0)(random));
+        }
+      }
+      for (int dof = 0; dof < block->schema().dofs(); ++dof) block->set_locked(dof, random() % 2 == 0);
+    }
+    return state;
+  }
+
+  LightTypes types_;
+  Style style_;
+  SceneFrame frame_{Vec3(1.0F, 2.0F, 3.0F), 2.5F};
+};
+
+TEST_F(StateDocument, KeepsEveryBitAndEveryLock) {
+  for (unsigned seed = 0; seed < 50; ++seed) {
+    const ParamState written = random_state(seed);
+    Document document;
+    write_state(written, document);
+    LUM_ASSERT_OK(const ParamState read, read_state(document, types_, style_, frame_));
+    const auto blocks = written.blocks();
+    const auto read_blocks = read.blocks();
+    ASSERT_EQ(blocks.size(), read_blocks.size());
+    for (std::size_t i = 0; i < blocks.size(); ++i) {
+      EXPECT_TRUE(blocks[i]->same_values(*read_blocks[i])) << i;
+      for (int dof = 0; dof < blocks[i]->schema().dofs(); ++dof) {
+        EXPECT_EQ(blocks[i]->locked(dof), read_blocks[i]->locked(dof));
+      }
+    }
+    EXPECT_EQ(read.rig.lights[0].group, "fill");
+    EXPECT_TRUE(read.rig.lights[1].muted);
+    EXPECT_EQ(read.rig.shadow_light, "my point");
+  }
+}
+
+TEST_F(StateDocument, ErasesLightsThatAreGoneAndKeepsStrangers) {
+  ParamState state = random_state(1);
+  Document document;
+  document.set("shot/style", "\"toon\"");
+  document.set("lights/ghost/@future", "1");
+  write_state(state, document);
+  state.rig.lights.erase(state.rig.lights.begin());
+  write_state(state, document);
+  for (const auto& [path, value] : document.entries()) {
+    EXPECT_EQ(path.find("my cinematic"), std::string::npos) << path;
+  }
+  EXPECT_TRUE(document.has("lights/my point/position"));
+  EXPECT_TRUE(document.has("shot/style"));
+  EXPECT_TRUE(document.has("lights/ghost/@future"));
+}
+
+TEST_F(StateDocument, WritingTwiceChangesNothing) {
+  const ParamState state = random_state(2);
+  Document document;
+  write_state(state, document);
+  const std::string hash = document.hash();
+  LUM_ASSERT_OK(const ParamState read, read_state(document, types_, style_, frame_));
+  write_state(read, document);
+  EXPECT_EQ(document.hash(), hash);
+}
+
+TEST_F(StateDocument, NamesThePathThatItCannotRead) {
+  Document whole;
+  write_state(random_state(3), whole);
+  for (const char* path : {"lights/my cinematic/color", "lights/my cinematic/direction", "lights/my point/@type",
+                           "locks/ambient/color", "rig/lights"}) {
+    Document document = whole;
+    document.set(path, "{}");
+    const Error error = error_of(read_state(document, types_, style_, frame_));
+    EXPECT_EQ(error.kind, ErrorKind::kBadContent);
+    EXPECT_EQ(error.field, path);
+  }
+}
+
+TEST_F(StateDocument, GivesANewParameterOfAStyleItsDefault) {
+  Document document;
+  write_state(random_state(4), document);
+  const std::string name = style_.schema->specs().front().name;
+  document.set("style/" + name, "");
+  document.set("locks/style/" + name, "");
+  LUM_ASSERT_OK(const ParamState read, read_state(document, types_, style_, frame_));
+  const ParamState fresh = initial_state(types_, style_, frame_);
+  EXPECT_EQ(read.style.get(0), fresh.style.get(0));
+}
+
+}  // namespace
+}  // namespace luminist
