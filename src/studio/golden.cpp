@@ -129,10 +129,13 @@ Result<GoldenOutcome> run_golden(Device& device, const AssetRoots& roots, const 
 }
 
 Result<void> accept_golden(const Style& style, const GoldenCase& golden, const fs::path& output) {
-  LUM_TRY(const std::string bytes, read_file(output / (golden.name + ".exr")));
-  const fs::path path = reference_path(style, golden);
-  LUM_TRY_VOID(make_folder(path.parent_path()));
-  return write_file_atomic(path, bytes);
+  const fs::path folder = reference_path(style, golden).parent_path();
+  LUM_TRY_VOID(make_folder(folder));
+  for (const char* extension : {".exr", ".png"}) {
+    LUM_TRY(const std::string bytes, read_file(output / (golden.name + extension)));
+    LUM_TRY_VOID(write_file_atomic(folder / (golden.name + extension), bytes));
+  }
+  return {};
 }
 
 Result<void> write_golden_page(const std::string& style, const std::vector<GoldenOutcome>& outcomes,

@@ -36,7 +36,8 @@ struct GoldenOutcome {
 Result<GoldenOutcome> run_golden(Device& device, const AssetRoots& roots, const Style& style, const GoldenCase& golden,
                                  const std::filesystem::path& output, Diagnostics& diagnostics);
 
-/// Makes the candidate of a case the style's reference. errors kMissing, kUnwritable.
+/// Makes the candidate of a case the style's reference: the EXR that is compared and a PNG to look at.
+/// errors kMissing, kUnwritable.
 Result<void> accept_golden(const Style& style, const GoldenCase& golden, const std::filesystem::path& output);
 
 /// output/index.html: new, reference and difference side by side. errors kUnwritable.
