@@ -78,6 +78,7 @@ Result<Child> start(const std::vector<std::string>& arguments) {
   ::posix_spawn_file_actions_adddup2(&actions, child_in.get(), STDIN_FILENO);
   ::posix_spawn_file_actions_adddup2(&actions, child_out.get(), STDOUT_FILENO);
   ::posix_spawn_file_actions_adddup2(&actions, child_err.get(), STDERR_FILENO);
+  ::posix_spawn_file_actions_addclosefrom_np(&actions, STDERR_FILENO + 1);  // libraries open files without asking
   sigset_t defaults, unblocked;
   ::sigemptyset(&unblocked);
   ::sigemptyset(&defaults);

@@ -131,6 +131,7 @@ void add_backdrops(Scene& scene, const SceneOptions& options) {
     const float below = options.floor ? 0.0F : 0.5F * width;
     add_backdrop(scene, "wall", plane(left_back - below * up, right, up, width, 0.5F * width + below), material);
   }
+  for (Camera& camera : scene.cameras) camera.far_plane = 0.0F;  // unknown again, now that there is more to see
 }
 
 void fit_clip_planes(Scene& scene) {

@@ -9,7 +9,7 @@ namespace luminist {
 Camera automatic_camera(const Scene& scene);
 
 /// Adds a floor just under the lowest point and, behind the scene as the camera sees it, a wall: large neutral planes,
-/// subdivided, marked as backdrops. Then the far planes of the cameras reach them.
+/// subdivided, marked as backdrops. Makes the far planes of the cameras unknown.
 void add_backdrops(Scene& scene, const SceneOptions& options);
 
 /// Gives cameras whose near or far plane is 0 (unknown) planes that follow the bounds.

@@ -20,11 +20,13 @@ struct Mesh {
   [[nodiscard]] Box bounds() const;
 };
 
-/// Fills normals: angle-weighted over the triangles around a position, apart where they meet at more than crease_angle
-/// (radians; kPi joins all). May split vertices; uvs follow. cost O(triangles).
+/// Fills normals: angle-weighted over the triangles around a place (vertices within a millionth of the mesh's size
+/// count as one), apart where they meet at more than crease_angle (radians; kPi joins all). Triangles without area have
+/// no say. May split vertices; uvs follow, tangents are dropped. cost O(triangles log triangles); kPi: O(triangles).
 void compute_normals(Mesh& mesh, double crease_angle);
 
-/// Fills tangents from uvs and normals (zero-area uv triangles get any tangent). Does nothing without uvs.
+/// Fills tangents from uvs and normals (zero-area uv triangles get any tangent). Does nothing without uvs. Splits the
+/// vertices on the seam of a mirrored texture.
 void compute_tangents(Mesh& mesh);
 
 }  // namespace luminist

@@ -47,10 +47,14 @@ Scene PolygonSoup::finish(Diagnostics& diagnostics) {
 Result<Scene> read_polygons(const std::string& path, Diagnostics& diagnostics) {
   LUM_TRY(const std::string bytes, read_file(path));
   PolygonSoup soup(path);
-  const char kind = path[path.size() - 1];  // .ply, .stl and .off differ in their last letter
-  if (kind == 'y' || kind == 'Y') LUM_TRY_VOID(read_ply(bytes, soup));
-  if (kind == 'l' || kind == 'L') LUM_TRY_VOID(read_stl(bytes, soup));
-  if (kind == 'f' || kind == 'F') LUM_TRY_VOID(read_off(bytes, soup));
+  const std::string extension = lower_extension(path);
+  if (extension == ".ply") {
+    LUM_TRY_VOID(read_ply(bytes, soup));
+  } else if (extension == ".stl") {
+    LUM_TRY_VOID(read_stl(bytes, soup));
+  } else {
+    LUM_TRY_VOID(read_off(bytes, soup));
+  }
   return soup.finish(diagnostics);
 }
 

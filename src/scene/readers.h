@@ -9,6 +9,9 @@
 
 namespace luminist {
 
+/// ".obj" of "Jug.OBJ"; only the letters A to Z are made small.
+std::string lower_extension(const std::string& path);
+
 /// .obj and its .mtl (tinyobjloader). Every group or object becomes one Object for each of its materials.
 Result<Scene> read_obj(const std::string& path, Diagnostics& diagnostics);
 

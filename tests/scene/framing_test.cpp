@@ -116,6 +116,17 @@ TEST(Backdrops, FillThePictureOfAWidePicture) {
   }
 }
 
+TEST(Backdrops, MoveTheFarPlaneOfACameraFromTheFile) {
+  const std::string camera = R"("cameras":[{"type":"perspective","perspective":{"yfov":0.5,"znear":0.1,"zfar":6}}],)";
+  const std::string nodes = R"([{"mesh":0,"children":[1]},{"camera":0,"translation":[0,1,5]}])";
+  SceneFile file("a.gltf", tetrahedron_gltf(embedded_buffer(), camera, nodes));
+  LUM_ASSERT_OK(const Scene alone, file.load());
+  EXPECT_EQ(alone.cameras[0].far_plane, 6.0F);
+  LUM_ASSERT_OK(const Scene scene, file.load({.floor = true, .wall = true}));
+  EXPECT_EQ(scene.cameras[0].near_plane, 0.1F);
+  EXPECT_LE(extent_of(scene, true).farthest, 1.0F);
+}
+
 TEST(Backdrops, AreNotAddedUnlessAsked) {
   SceneFile file("a.obj", tetrahedron_obj());
   LUM_ASSERT_OK(const Scene scene, file.load());

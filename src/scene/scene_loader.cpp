@@ -18,13 +18,6 @@ namespace {
 
 constexpr std::size_t kMostTriangles = 20'000'000;
 
-std::string lower_extension(const std::string& path) {
-  std::string extension = std::filesystem::path(path).extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c); });
-  return extension;
-}
-
 Result<Scene> read_by_extension(const std::string& path, Diagnostics& diagnostics) {
   const std::string extension = lower_extension(path);
   if (extension == ".gltf" || extension == ".glb") return read_gltf(path, diagnostics);
@@ -125,6 +118,13 @@ Result<void> repair(Scene& scene, const std::string& path, bool bare, Diagnostic
 }
 
 }  // namespace
+
+std::string lower_extension(const std::string& path) {
+  std::string extension = std::filesystem::path(path).extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return static_cast<char>(c >= 'A' && c <= 'Z' ? c - 'A' + 'a' : c); });
+  return extension;
+}
 
 Result<Scene> load_scene(const std::string& path, const SceneOptions& options, Diagnostics& diagnostics) {
   LUM_TRY(Scene scene, read_by_extension(path, diagnostics));
