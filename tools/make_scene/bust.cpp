@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kTurn = 0.22;  // of the head against the shoulders, radians
 constexpr double kTilt = 0.05;
-constexpr std::size_t kTriangles = 90000;
+constexpr std::size_t kTriangles = 80000;
 
 /// Neck, collarbones and the top of the chest; shoulders' frame, centimetres.
 double torso_distance(const Point3& p) {
@@ -24,7 +24,6 @@ double torso_distance(const Point3& p) {
   d = smooth_union(d, round_cone_distance(s, {0.0, -9.0, -5.5}, {13.0, -22.0, -5.5}, 3.0, 3.6), 4.0);
   d = smooth_union(d, ellipsoid_distance(s, {0.0, -28.5, -3.2}, {17.5, 8.6, 8.2}), 4.0);
   d = smooth_union(d, round_cone_distance(s, {1.7, -20.6, 3.3}, {13.5, -19.6, -1.8}, 0.45, 0.7), 2.6);
-  d = smooth_difference(d, ellipsoid_distance(s, {0.0, -20.3, 4.9}, {0.9, 1.1, 0.9}), 1.6);     // pit of the neck
   return smooth_difference(d, ellipsoid_distance(s, {6.2, -18.4, 2.6}, {3.2, 0.7, 1.6}), 2.2);  // above the collarbones
 }
 
@@ -33,7 +32,7 @@ double neck_muscles(const Point3& p) {
   double d = 1e9;
   for (const double side : {-1.0, 1.0}) {
     const Point3 ear = rotated_y({5.6 * side, -5.0, -3.2}, kTurn);
-    d = std::min(d, round_cone_distance(p, ear, {1.5 * side, -20.6, 2.7}, 1.2, 0.45));
+    d = std::min(d, round_cone_distance(p, ear, {1.5 * side, -20.9, 1.7}, 1.1, 0.30));
   }
   return d;
 }
@@ -47,9 +46,9 @@ double cut_distance(const Point3& p) {
 
 double bust_distance(const Point3& point) {
   const Point3 p = rotated_x(rotated_y(point, -kTurn), kTilt);
-  double d = smooth_union(torso_distance(point), neck_muscles(point), 2.4);
+  double d = smooth_union(torso_distance(point), neck_muscles(point), 2.6);
   d = smooth_intersection(d, cut_distance(point), 0.5);
-  d = smooth_union(d, round_cone_distance(p, {0.0, -13.6, 1.9}, {0.0, -15.0, 1.6}, 0.8, 0.8), 2.0);
+  d = smooth_union(d, round_cone_distance(p, {0.0, -13.6, 1.9}, {0.0, -15.0, 1.6}, 0.55, 0.55), 2.6);
   d = smooth_union(d, head_distance(p), 1.6);
   return smooth_union(d, hair_distance(p), 0.25);
 }
@@ -115,7 +114,7 @@ Scene build_bust() {
   const int wall = plain_material(stage, "wall", swatch(0x7C7670), 0.9F);
   stage.add_object("wall", without_uvs(slab_at({0.0F, 0.5F, -0.52F}, {1.6F, 1.0F, 0.02F}, 0.002F)), wall);
   stage.mark_backdrop();
-  stage.add_camera("three_quarter", {0.47F, 0.42F, 1.12F}, {0.015F, 0.272F, 0.0F}, 0.47F);
+  stage.add_camera("three_quarter", {-0.47F, 0.41F, 1.03F}, {0.0F, 0.280F, 0.0F}, 0.47F);
   return stage.take();
 }
 

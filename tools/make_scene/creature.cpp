@@ -96,10 +96,10 @@ void add_glade(Stage& stage) {
   append(ferns, fern_mesh({-2.20, ground_height(-2.20, -0.7) - 0.05, -0.7}, 1.7, -1.0));
   stage.add_object("ferns", ferns, green, world);
   stage.add_object("grass", grass_mesh(130, 4), add_plain(stage, "grass", swatch(0x73843A), 0.65F), world);
-  stage.add_object("ground", ground_mesh(), add_carved(stage, "moss", ground_painting(512), ground_relief(512), 0.9F),
+  stage.add_object("ground", ground_mesh(), add_carved(stage, "moss", ground_painting(448), ground_relief(384), 0.9F),
                    world);
   stage.mark_backdrop();
-  stage.add_object("hollow", hollow_mesh(), add_carved(stage, "rock", rock_painting(512), rock_relief(512), 0.88F),
+  stage.add_object("hollow", hollow_mesh(), add_carved(stage, "rock", rock_painting(448), rock_relief(384), 0.88F),
                    world);
   stage.mark_backdrop();
 }

@@ -37,7 +37,7 @@ Mesh mirror_frame(double a, double b) {
         const double bead = 0.0035 * std::sin(turn * 60.0) * std::exp(-std::pow((p.x - 0.006) / 0.006, 2.0));
         return Point3((a + p.x) * std::sin(turn), (b + p.x) * std::cos(turn), p.y + bead);
       },
-      240, 22);
+      200, 18);
 }
 
 Mesh books_on_board(float half, float height, int color, int colors, std::uint64_t seed) {

@@ -64,7 +64,7 @@ Mesh table_mesh(float radius) {
                                        {0.062, 0.170},
                                        {0.040, 0.140},
                                        {0.000, 0.135}});
-  Mesh turned = tessellate([round = revolve(column)](double u, double v) { return round(u, 1.0 - v); }, 36, 96);
+  Mesh turned = tessellate([round = revolve(column)](double u, double v) { return round(u, 1.0 - v); }, 30, 80);
   append(table, along_grain(turned, 0.7F));
   for (int i = 0; i < 3; ++i) {
     const double turn = 2.0 * kPi * i / 3.0 + 0.4;

@@ -21,7 +21,7 @@ Mesh ground_mesh() {
     const double z = 4.4 - 8.0 * v;
     return Point3(x, ground_height(x, z), z);
   };
-  Mesh mesh = tessellate(ground, 96, 80);
+  Mesh mesh = tessellate(ground, 80, 64);
   scale_uvs(mesh, {2.6F, 2.0F});
   return mesh;
 }
@@ -61,7 +61,7 @@ Mesh hollow_mesh() {
     const double radius = 3.5 + relief - 0.035 * (y - 1.0) * (y - 1.0) - 0.5 * smoothstep(0.8, -0.4, y);
     return Point3(out.x * radius * 1.65, y, out.z * radius * 0.80 + 0.3);
   };
-  Mesh mesh = tessellate(rock, 120, 80);
+  Mesh mesh = tessellate(rock, 100, 66);
   scale_uvs(mesh, {3.0F, 2.0F});
   return mesh;
 }
@@ -135,7 +135,7 @@ Mesh toadstool_cap(double height, double lean, double radius) {
         if (v > 0.5) p += d * (0.045 * radius * smoothstep(0.34, 0.22, wart.nearest));
         return Point3(p.x, p.y + 0.12 * p.x * (lean > 0.0 ? -1.0 : 1.0), p.z) + top;
       },
-      44, 30);
+      36, 24);
 }
 
 Image cap_painting(int width, int height) {

@@ -9,7 +9,8 @@ namespace {
 
 /// Rounded strands side by side: 1 on a strand's back, 0 in the furrow between two.
 double strand(double phase) {
-  return std::sqrt(std::abs(std::sin(phase)) + 0.02);
+  const double s = std::sin(phase);
+  return std::pow(s * s + 0.03, 0.30);
 }
 
 /// Height of the strands over the hair's mass: they run from the brow to the knot and wave on their way.
@@ -21,8 +22,8 @@ double strands(const Point3& p) {
   const double wave = aside * (0.30 * std::sin(along * 0.85 + 2.2 * std::abs(around)) + 0.35 * noise(p * 0.22));
   const double coarse = strand(around * 7.0 + wave * 2.2);
   const double middle = strand(around * 17.0 + wave * 5.0 + 1.5 * aside * noise(p * 0.35 + Point3(5.0)));
-  const double fine = strand(around * 31.0 + wave * 9.0 + 2.0 * aside * noise(p * 0.5 + Point3(11.0)));
-  return 0.62 * coarse + 0.26 * middle + 0.12 * fine;
+  const double fine = strand(around * 25.0 + wave * 7.5 + 2.0 * aside * noise(p * 0.5 + Point3(11.0)));
+  return 0.65 * coarse + 0.27 * middle + 0.08 * fine;
 }
 
 double knot_distance(const Point3& p) {

@@ -34,21 +34,18 @@ double almond_distance(double x, double y) {
   return std::max(upper, lower);
 }
 
-/// The eyeball between its lids; iris and pupil are cut as sculptors do.
+/// The eyeball between its lids; the iris is a dish with a drilled pupil, as sculptors cut it.
 double eye_distance(const Point3& p) {
   const Point3 center{3.15, 0.0, 6.30};
   const double ball = sphere_distance(p, center, 1.24);
   const double opening = almond_distance(p.x, p.y);
   double lids = sphere_distance(p, center, 1.48);
-  lids = smooth_difference(lids, std::max(opening, 6.5 - p.z), 0.10);
+  lids = smooth_difference(lids, std::max(opening, 6.5 - p.z), 0.20);
   const double crease = std::abs(opening - 0.48) - 0.05;
-  if (p.y > -0.2) lids = smooth_difference(lids, std::max(crease, sphere_distance(p, center, 1.9)), 0.16);
-  const double gaze = std::hypot(p.x - 3.12, p.y - 0.15);
-  const double iris = std::max(std::abs(gaze - 0.66) - 0.02, center.z - p.z);
-  double cut = smooth_difference(ball, iris - 0.005, 0.06);
-  const double pupil = std::max(gaze - 0.24, center.z + 0.8 - p.z);
-  cut = smooth_difference(cut, pupil, 0.08);
-  return std::min(lids, cut);
+  lids = smooth_difference(lids, std::max({crease, sphere_distance(p, center, 1.9), 0.1 - p.y}), 0.26);
+  const Point3 gaze = glm::normalize(Point3(0.0, 0.10, 1.0));
+  const double iris = smooth_difference(ball, sphere_distance(p, center + gaze * 1.66, 0.70), 0.12);
+  return smooth_union(lids, smooth_difference(iris, sphere_distance(p, center + gaze * 1.05, 0.22), 0.12), 0.12);
 }
 
 double orbit_distance(double d, const Point3& p) {
@@ -67,12 +64,10 @@ double nose_distance(double d, const Point3& p) {
   double nose = chain_distance(p, bridge, 0.5);
   nose = smooth_union(nose, chain_distance(p, side, 0.5), 0.9);
   nose = smooth_union(nose, sphere_distance(p, {0.0, -3.50, 10.08}, 0.82), 0.7);
-  nose = smooth_union(nose, ellipsoid_distance(p, {1.22, -3.98, 9.25}, {0.62, 0.62, 0.88}), 0.40);
-  const Knot columella[] = {{{0.0, -4.1, 10.0}, 0.40}, {{0.0, -4.7, 9.1}, 0.45}};
-  nose = smooth_union(nose, chain_distance(p, columella, 0.3), 0.35);
+  nose = smooth_union(nose, ellipsoid_distance(p, {1.10, -3.92, 9.20}, {0.66, 0.60, 0.86}), 0.50);
+  const Knot columella[] = {{{0.0, -4.0, 9.9}, 0.42}, {{0.0, -4.65, 9.0}, 0.45}};
+  nose = smooth_union(nose, chain_distance(p, columella, 0.3), 0.5);
   d = smooth_union(d, nose, 0.75);
-  const double groove = std::abs(sphere_distance(p, {1.10, -3.95, 9.25}, 0.98)) + 0.05;  // around the wing
-  d = smooth_difference(d, std::max({groove, p.z - 9.45, 0.95 - p.x}), 0.35);
   return smooth_difference(
       d, ellipsoid_distance(rotated_y(p - Point3(0.66, -4.62, 9.55), 0.35), Point3(0.0), {0.32, 0.42, 0.66}), 0.22);
 }

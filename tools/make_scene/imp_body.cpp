@@ -204,7 +204,7 @@ Point3 eye_center(int side) {
 std::vector<BodyPart> imp_body() {
   constexpr double kCell = 0.028;
   const Field field = skin_distance;
-  Mesh skin = decimate(surface_nets(field, {{-2.4, -0.1, -1.2}, {2.4, 4.2, 1.4}}, kCell, 1.5), 46000);
+  Mesh skin = decimate(surface_nets(field, {{-2.4, -0.1, -1.2}, {2.4, 4.2, 1.4}}, kCell, 1.5), 40000);
   snap_to_field(skin, field, kCell);
   for (std::size_t i = 0; i < skin.positions.size(); ++i) {
     const Point3 p(skin.positions[i]);

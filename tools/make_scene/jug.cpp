@@ -91,9 +91,12 @@ Vec3 handle_color(double along, double around) {
 Mesh jug_mesh() {
   const double rim = body_profile().fraction_at_point(kRim);
   const Surface body = body_surface();
-  Mesh jug = tessellate(part(body, 0.0, rim), 128, 116);
+  Mesh jug = tessellate(part(body, 0.0, rim), 112, 104);
   map_rows(jug, 0.0, kBodyEnd);
-  Mesh inside = tessellate(part(body, rim, 1.0), 128, 40);
+  const Surface inner = [inside = part(body, rim, 1.0)](double u, double v) {
+    return inside(u, v * v);
+  };  // dense at the lip
+  Mesh inside = tessellate(inner, 112, 40);
   map_rows(inside, kInsideStart, 1.0);
   append(jug, inside);
   Mesh handle = tessellate(handle_surface(), 28, 72);

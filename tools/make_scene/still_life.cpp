@@ -25,7 +25,7 @@ struct Foot {
   double radius;
 };
 constexpr Foot kFeet[] = {
-    {{0.155, 0.015}, 0.060}, {{-0.062, 0.150}, 0.020}, {{0.055, 0.185}, 0.018}};  // bowl, apple, orange
+    {{0.155, 0.015}, 0.060}, {{-0.062, 0.150}, 0.036}, {{0.055, 0.185}, 0.036}};  // bowl, apple, orange
 
 Material textured(const std::string& name, int texture, float roughness) {
   Material material;
@@ -109,7 +109,7 @@ Mesh cloth_mesh() {
 void add_vessels(Stage& stage) {
   stage.add_object(
       "jug", jug_mesh(),
-      stage.add_material(textured("jug_glaze", stage.add_texture("jug_ornament", jug_painting(1152, 1152)), 0.22F)),
+      stage.add_material(textured("jug_glaze", stage.add_texture("jug_ornament", jug_painting(1024, 1024)), 0.22F)),
       Placement{{-0.120F, 0.0F, -0.075F}, {0.0F, -0.18F, 0.0F}}.matrix());
   stage.add_object(
       "bowl", bowl_mesh(),
@@ -138,7 +138,7 @@ void add_fruit(Stage& stage) {
             Placement{{bowl_x + 0.040F, floor + 0.006F, bowl_z - 0.026F}, {-0.2F, 4.1F, -0.35F}}.matrix(), stem);
 
   Material orange = textured("orange", stage.add_texture("orange_skin", orange_painting(384, 192)), 0.42F);
-  orange.normal_texture = stage.add_texture("orange_pores", orange_pores(512, 256));
+  orange.normal_texture = stage.add_texture("orange_pores", orange_pores(448, 224));
   Mesh orange_peel = orange_mesh();
   stage.add_object("orange", orange_peel, stage.add_material(orange),
                    Placement{{0.055F, static_cast<float>(kCloth), 0.185F}, {0.5F, 0.3F, 0.0F}}.matrix());

@@ -119,10 +119,8 @@ class Net {
     Point3 local;
     if (!cell_vertex(corner, local)) return;
     const std::array<int, 3> cell{first[0] + at[0], first[1] + at[1], first[2] + at[2]};
-    const Point3 p = on_surface(lattice_.field, lattice_.place(cell) + local * lattice_.cell, lattice_.cell);
     vertices_.emplace(lattice_.key(cell), static_cast<std::uint32_t>(mesh_.positions.size()));
-    mesh_.positions.emplace_back(p);
-    mesh_.normals.emplace_back(field_normal(lattice_.field, p, 0.3 * lattice_.cell));
+    mesh_.positions.emplace_back(lattice_.place(cell) + local * lattice_.cell);
     for (int axis = 0; axis < 3; ++axis) {
       const bool inside = corner[0] < 0.0F;
       if (inside != (corner[static_cast<std::size_t>(1 << axis)] < 0.0F)) edges_.push_back({cell, axis, inside});
@@ -167,6 +165,7 @@ Mesh surface_nets(const Field& field, const FieldBox& box, double cell, double l
 }
 
 void snap_to_field(Mesh& mesh, const Field& field, double cell) {
+  mesh.normals.resize(mesh.positions.size());
   for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
     const Point3 p = on_surface(field, Point3(mesh.positions[i]), cell);
     mesh.positions[i] = Vec3(p);

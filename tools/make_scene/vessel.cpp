@@ -19,7 +19,7 @@ Curve bowl_profile() {
 }  // namespace
 
 Mesh bowl_mesh() {
-  return tessellate(revolve(bowl_profile()), 96, 76);
+  return tessellate(revolve(bowl_profile()), 80, 60);
 }
 
 double bowl_floor(double distance) {
