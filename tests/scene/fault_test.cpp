@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "sample_files.h"
+#include "scene_file.h"
 
 namespace luminist {
 namespace {

@@ -3,7 +3,7 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "image_io/image_io.h"
-#include "sample_files.h"
+#include "scene_file.h"
 
 namespace luminist {
 namespace {

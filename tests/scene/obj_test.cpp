@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include "image_io/image_io.h"
-#include "sample_files.h"
+#include "scene_file.h"
 
 namespace luminist {
 namespace {

@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "sample_files.h"
+#include "scene_file.h"
 
 namespace luminist {
 namespace {

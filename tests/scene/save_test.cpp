@@ -2,7 +2,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "sample_files.h"
+#include "scene_file.h"
 
 namespace luminist {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
-#include "sample_files.h"
+#include "scene_file.h"
 
 namespace luminist {
 namespace {
