@@ -134,7 +134,7 @@ Result<void> CommandLog::append(std::string_view record) {
     LUM_TRY_VOID(check_unchanged());
     unsynced_ = true;
     auto written = write_line(line);
-    if (written && std::chrono::steady_clock::now() - synced_ >= kSyncInterval) written = sync_data();
+    if (written && sync_due()) written = sync_data();
     if (!written) {
       // If the cut fails too, a torn last line stays, which the next open drops.
       if (::ftruncate(fd_, static_cast<off_t>(end_)) != 0) return unwritable(path_, "take back a torn line");
@@ -160,9 +160,8 @@ Result<void> CommandLog::sync() {
   return sync_data();
 }
 
-Result<void> CommandLog::sync_if_due() {
-  if (!unsynced_ || std::chrono::steady_clock::now() - synced_ < kSyncInterval) return {};
-  return sync();
+bool CommandLog::sync_due() const {
+  return std::chrono::steady_clock::now() - synced_ >= kSyncInterval;
 }
 
 Result<std::string> CommandLog::read(std::size_t record) const {

@@ -40,8 +40,9 @@ class CommandLog {
   Result<void> append(std::string_view record);
   /// What was appended is on the disk when this returns. errors kUnwritable, kProject.
   Result<void> sync();
-  /// sync() if the last one is two seconds ago and something was appended since; for a loop that idles.
-  Result<void> sync_if_due();
+  /// Whether the last sync is two seconds ago: the next append would sync.
+  [[nodiscard]] bool sync_due() const;
+  [[nodiscard]] bool unsynced() const { return unsynced_; }
 
   [[nodiscard]] std::size_t size() const { return records_.size(); }
   /// A record's text. errors kBadContent if the file changed under us.

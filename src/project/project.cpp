@@ -46,6 +46,16 @@ Result<void> check_place(const fs::path& folder) {
                "choose another name"};
 }
 
+/// Temporary files of a writer that died. Whoever calls this holds the lock, so nobody else is writing.
+void remove_leftovers(const fs::path& folder) {
+  std::error_code error;
+  std::vector<fs::path> leftovers;
+  for (fs::recursive_directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error)) {
+    if (entry->path().filename().string().starts_with(".lum-")) leftovers.push_back(entry->path());
+  }
+  for (const fs::path& path : leftovers) fs::remove(path, error);
+}
+
 }  // namespace
 
 Project Project::start(Document document, const std::string& action) {
@@ -66,6 +76,7 @@ Result<Project> Project::open(const fs::path& folder, Access access) {
   if (access == Access::kRead) return project;
   const std::string seal = project.log_.seal(project.log_.size());
   LUM_TRY(project.lock_, ProjectLock::take(lock_file(folder)));
+  remove_leftovers(folder);
   LUM_TRY(project.log_, CommandLog::open(log_file(folder), CommandLog::Access::kWrite));
   if (project.log_.seal(project.log_.size()) == seal) return project;
   return Error{ErrorKind::kProject, "the project was changed while it was being opened", folder.string(), "",
@@ -140,6 +151,8 @@ Result<void> Project::record_edits(const std::vector<Edit>& edits, const std::st
     return Error{ErrorKind::kProject, "the project is open for reading only", folder_.string(), "",
                  "save it under another name"};
   }
+  // What a line on the disk refers to is on the disk before it.
+  if (log_.sync_due()) LUM_TRY_VOID(tiles_.sync());
   LUM_TRY_VOID(document_.apply(edits));
   auto appended = log_.append(text);
   if (appended) return {};
@@ -185,6 +198,12 @@ Result<void> Project::save() {
   LUM_TRY_VOID(log_.sync());
   if (log_.size() >= checkpointed_ + kRecordsPerCheckpoint) LUM_TRY_VOID(write_checkpoint());
   return {};
+}
+
+Result<void> Project::sync_if_due() {
+  if (!log_.unsynced() || !log_.sync_due()) return {};
+  LUM_TRY_VOID(tiles_.sync());
+  return log_.sync();
 }
 
 Result<void> Project::save_as(const fs::path& folder) {

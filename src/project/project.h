@@ -57,7 +57,7 @@ class Project {
   /// errors kUsage for another extension; kUnwritable, also for a folder that is no project; kProject if it is open.
   Result<void> save_as(const std::filesystem::path& folder);
   /// Syncs what is older than two seconds; for a loop that idles. errors kUnwritable.
-  Result<void> sync_if_due() { return log_.sync_if_due(); }
+  Result<void> sync_if_due();
 
  private:
   Project() = default;

@@ -27,7 +27,7 @@ const std::vector<ScriptRunner::Verb>& ScriptRunner::verbs() {
       {"set", {"path", "value", "values"}, &R::set},
       {"lock", {"pattern"}, &R::lock},
       {"unlock", {"pattern"}, &R::lock},
-      {"add_light", {"type", "name", "group", "from_paint"}, &R::add_light},
+      {"add_light", {"type", "name", "group", "from_paint", "lock_others"}, &R::add_light},
       {"remove_light", {"light"}, &R::remove_light},
       {"mute", {"light", "muted"}, &R::mute},
       {"share_shadows", {"light"}, &R::share_shadows},
@@ -119,10 +119,12 @@ Result<void> ScriptRunner::add_light(const Action& action) {
   LUM_TRY(const auto name, action.text("name"));
   LUM_TRY(const auto group, action.text("group"));
   LUM_TRY(const auto from_paint, action.flag("from_paint"));
+  LUM_TRY(const auto lock_others, action.flag("lock_others"));
   light.type = type.value_or(light.type);
   light.name = name.value_or(light.name);
   light.group = group.value_or("");
   light.from_paint = from_paint.value_or(true);
+  light.lock_others = lock_others.value_or(true);
   LUM_TRY_VOID(session_->add_light(light));
   return {};
 }

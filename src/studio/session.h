@@ -11,6 +11,7 @@
 #include "project/paint_document.h"
 #include "project/project.h"
 #include "solve/solve_session.h"
+#include "solve/start_light.h"
 #include "studio/stage.h"
 
 namespace luminist {
@@ -20,6 +21,7 @@ struct NewLight {
   std::string name = "light";  ///< "-2", "-3"... is appended if it is taken
   std::string group = "";
   bool from_paint = true;  ///< start where the paint says (paper, section 5.2); else at the type's defaults
+  bool lock_others = true;
 };
 
 /// A solve that ran, and what it was asked for.
@@ -67,7 +69,8 @@ class Session {
   Result<void> set(const std::vector<std::string>& assignments);
   /// returns how many degrees of freedom the pattern names. errors kUsage if none.
   Result<int> set_locked(const std::string& pattern, bool locked);
-  /// Locks all other lights. returns the light's name. errors kNothingToDo without paint that lightens, kUsage.
+  /// Locks all other lights unless told otherwise. returns the light's name. errors kNothingToDo without paint that
+  /// lightens, kUsage.
   Result<std::string> add_light(const NewLight& wanted);
   Result<void> remove_light(const std::string& name);
   Result<void> set_muted(const std::string& name, bool muted);
@@ -110,6 +113,7 @@ class Session {
   Result<void> undo();
   Result<void> redo();
   Result<void> save() { return project_.save(); }
+  Result<void> sync_if_due() { return project_.sync_if_due(); }
   Result<void> save_as(const std::filesystem::path& folder) { return project_.save_as(folder); }
 
  private:
@@ -117,6 +121,7 @@ class Session {
   explicit Session(Parts parts);
   Result<Canvas*> canvas();
   Result<ShadowPair> shadow_pair();
+  Result<StartLight> start_light();
   Result<void> commit(const std::string& label, const std::string& action, const Document& next);
   Result<void> commit_state(const std::string& label, const std::string& action, ParamState next);
   Result<void> commit_canvas(const std::string& label, const std::string& action, const CanvasState& next);

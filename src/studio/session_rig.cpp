@@ -6,7 +6,6 @@
 
 #include "project/paint_document.h"
 #include "project/state_document.h"
-#include "solve/start_light.h"
 #include "studio/session.h"
 
 namespace luminist {
@@ -43,15 +42,27 @@ Result<int> Session::set_locked(const std::string& pattern, bool locked) {
   return count;
 }
 
+/// From what the lights in force still lack, so that several lights can be added to one painting; if they lack nothing
+/// that an estimate could use, from all of the paint.
+Result<StartLight> Session::start_light() {
+  LUM_TRY(const Canvas* canvas, this->canvas());
+  const SurfaceBuffer& surface = stage_->renderer->surface();
+  Target lacking = canvas->target();
+  LUM_TRY(lacking.before, stage_->renderer->render(state_));
+  if (auto start = estimate_start_light(surface, lacking, stage_->frame)) return start;
+  return estimate_start_light(surface, canvas->target(), stage_->frame);
+}
+
 Result<std::string> Session::add_light(const NewLight& wanted) {
   ParamState next = state_;
-  for (Light& light : next.rig.lights) light.params.set_param_locked(-1, true);
+  for (Light& light : next.rig.lights) {
+    if (wanted.lock_others) light.params.set_param_locked(-1, true);
+  }
   const std::string name = next.rig.unused_name(wanted.name);
   LUM_TRY(Light light, make_light(stage_->types, wanted.type, name, stage_->frame));
   light.group = wanted.group;
   if (wanted.from_paint) {
-    LUM_TRY(Canvas * canvas, this->canvas());
-    LUM_TRY(const StartLight start, estimate_start_light(stage_->renderer->surface(), canvas->target(), stage_->frame));
+    LUM_TRY(const StartLight start, start_light());
     apply_start_light(start, light);
   }
   next.rig.lights.push_back(std::move(light));
@@ -59,7 +70,8 @@ Result<std::string> Session::add_light(const NewLight& wanted) {
                        {"type", wanted.type},
                        {"name", wanted.name},
                        {"group", wanted.group},
-                       {"from_paint", wanted.from_paint}};
+                       {"from_paint", wanted.from_paint},
+                       {"lock_others", wanted.lock_others}};
   LUM_TRY_VOID(commit_state("Add light " + name, action.dump(), std::move(next)));
   return name;
 }

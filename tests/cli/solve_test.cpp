@@ -32,6 +32,18 @@ TEST_F(CliTest, SolvesAndWritesEveryFile) {
   EXPECT_EQ(picture.data, again.data);
 }
 
+TEST_F(CliTest, SeveralNewLightsAreSolvedTogetherAndOldOnesStay) {
+  const Outcome outcome =
+      luminist("solve ball.obj --size 64x48 --rig rig.toml --paint light.json --add-light 2 --evals 20 --json -o out");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  const auto json = nlohmann::json::parse(outcome.out, nullptr, false);
+  ASSERT_TRUE(json.is_object()) << outcome.out;
+  ASSERT_EQ(json["lights"].size(), 3U);
+  EXPECT_EQ(json["lights"][0]["unlocked"].size(), 0U);
+  EXPECT_GT(json["lights"][1]["unlocked"].size(), 0U);
+  EXPECT_GT(json["lights"][2]["unlocked"].size(), 0U);
+}
+
 TEST_F(CliTest, TheSameSeedGivesTheSameBits) {
   ASSERT_EQ(luminist(std::string(kSolve) + "--seed 7 -o one").status, 0);
   ASSERT_EQ(luminist(std::string(kSolve) + "--seed 7 -o two").status, 0);

@@ -309,6 +309,24 @@ TEST(Project, KeepsWhatItDoesNotKnow) {
   EXPECT_EQ(project.document().get("from/the/future"), R"({"kept":true})");
 }
 
+TEST(Project, TidiesUpAfterAWriterThatDied) {
+  const TemporaryFolder folder;
+  const fs::path path = folder.path() / "a.lum";
+  {
+    Project project = new_project();
+    LUM_EXPECT_OK(project.tiles().put("paint"));
+    LUM_EXPECT_OK(project.save_as(path));
+  }
+  const fs::path tile_folder = fs::directory_iterator(path / "tiles")->path();
+  for (const fs::path& leftover : {path / ".lum-1-ab", tile_folder / ".lum-1-cd"}) std::ofstream(leftover) << "x";
+  LUM_EXPECT_OK(Project::open(path, Project::Access::kRead));
+  EXPECT_TRUE(fs::exists(path / ".lum-1-ab"));
+  LUM_EXPECT_OK(Project::open(path, Project::Access::kWrite));
+  EXPECT_FALSE(fs::exists(path / ".lum-1-ab"));
+  EXPECT_FALSE(fs::exists(tile_folder / ".lum-1-cd"));
+  EXPECT_EQ(std::distance(fs::directory_iterator(tile_folder), fs::directory_iterator()), 1);
+}
+
 TEST(Project, DoesNotOverwriteAFolderThatIsNoProject) {
   const TemporaryFolder folder;
   fs::create_directory(folder.path() / "holiday.lum");

@@ -132,6 +132,16 @@ TEST_F(SessionTest, AStartLightBrightensThePaint) {
   EXPECT_GT(gain, 0.0);
 }
 
+TEST_F(SessionTest, ASecondLightStartsFromWhatTheFirstLeaves) {
+  LUM_EXPECT_OK(session_->paint(light_strokes(), "strokes.json"));
+  LUM_EXPECT_OK(session_->add_light({}));
+  LUM_EXPECT_OK(session_->add_light({}));
+  const LightRig& rig = session_->state().rig;
+  ASSERT_EQ(rig.lights.size(), 2U);
+  EXPECT_EQ(rig.lights[1].name, "light-2");
+  EXPECT_FALSE(rig.lights[0].params.same_values(rig.lights[1].params));
+}
+
 TEST_F(SessionTest, NothingIsDoneWithoutPaint) {
   const std::string before = hash();
   EXPECT_EQ(error_of(session_->add_light({})).kind, ErrorKind::kNothingToDo);
