@@ -36,7 +36,7 @@ Vec3 rotate_between(const Vec3& a, const Vec3& b, const Vec3& v) {
 }
 
 AimMap::AimMap(const ParamState& state, const SceneFrame& frame, const Vec3& focus)
-    : base_(state), units_(units_of(state, frame)) {
+    : frame_(frame), base_(state), units_(units_of(state, frame)) {
   const std::vector<const ParamBlock*> blocks = state.blocks();
   origin_ = units_.to_unit(blocks);
   for (double& x : origin_) x = x >= 0.0 ? std::min(x, 1.0) : 0.0;
@@ -55,6 +55,25 @@ AimMap::AimMap(const ParamState& state, const SceneFrame& frame, const Vec3& foc
   }
 }
 
+void keep_footprint(ParamBlock& params, const SceneFrame& frame, float before, float now) {
+  for (int param = 0; param < params.schema().size(); ++param) {
+    const ParamSpec& spec = params.schema()[param];
+    const bool shape = spec.role == "shape";
+    const bool reference = spec.role == "falloff_distance";
+    const bool cutoff = spec.role == "cutoff";
+    for (int c = 0; c < spec.dofs(); ++c) {
+      if (params.locked(spec.first_dof + c) || (cutoff && c > 0) || !(shape || reference || cutoff)) continue;
+      const double value = params.get(param, c);
+      const double wanted = shape ? value * before / now : reference ? value * now / before : value + now - before;
+      const auto k = static_cast<std::size_t>(c);
+      const double low = spec.stored(c, spec.range_min[k], frame);
+      const double high = spec.stored(c, spec.range_max[k], frame);
+      // A value that was out of its range may go no farther.
+      params.set(param, c, std::clamp(wanted, std::min(low, value), std::max(high, value)));
+    }
+  }
+}
+
 ParamState AimMap::at(std::span<const double> x) const {
   ParamState state = base_;
   const std::vector<ParamBlock*> blocks = state.blocks();
@@ -66,6 +85,7 @@ ParamState AimMap::at(std::span<const double> x) const {
     if (!(length > 1e-3F * light.distance)) continue;
     const Vec3 way = rotate_between(light.way, to_aim / length, params.vec3(light.direction));
     params.set_vec3(light.direction, glm::normalize(way));
+    if (length != light.distance) keep_footprint(params, frame_, light.distance, length);
   }
   return state;
 }

@@ -8,10 +8,12 @@
 namespace luminist {
 
 /// The unlocked degrees of freedom of a state in [0,1], as a UnitMap has them, with one difference: a step in the
-/// position of a light turns its direction so that it still aims at the same place. Without that a light loses what it
-/// shines on with the first long step sideways, and position and direction can only creep along together.
+/// position of a light keeps what it shines on. Its direction turns so that it still aims at the same place; its shape
+/// (tangents), falloff distance and cutoffs follow its distance from there. Without that a light loses its place with
+/// the first long step, and position, direction and shape can only creep along together.
 ///
-/// A light takes part if its position (role "position") and both angles of its direction (role "direction") are free.
+/// A light takes part if its position (role "position") and both angles of its direction (role "direction") are free;
+/// of the roles "shape", "falloff_distance" and "cutoff" what is free follows.
 class AimMap {
  public:
   /// focus: where the picture counts, world; a light's aim is the point of its axis nearest to it.
@@ -32,11 +34,16 @@ class AimMap {
     Vec3 way{0.0F};    ///< unit, at the origin
     float distance = 1.0F;
   };
+  SceneFrame frame_;
   ParamState base_;
   UnitMap units_;
   std::vector<double> origin_;
   std::vector<AimedLight> aimed_;
 };
+
+/// A light whose distance from what it shines on changes keeps its footprint there: free half sizes and edges (role
+/// "shape") shrink or grow, free "falloff_distance" and the starts of free "cutoff"s follow, all within their ranges.
+void keep_footprint(ParamBlock& params, const SceneFrame& frame, float before, float now);
 
 /// The rotation that takes unit vector a to unit vector b the short way, applied to v; v unchanged if they are
 /// opposite.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace luminist {
 namespace {
@@ -12,9 +13,12 @@ constexpr int kRounds = 8;
 constexpr int kIdleRounds = 2;
 constexpr int kScouts = 2;         // explorations before the first picture...
 constexpr double kClear = 0.05;    // ...unless the middle level is this near to the target, of the start's distance
-constexpr int kVariants = 48;      // of one light
-constexpr std::size_t kPool = 6;   // variants that descend
+constexpr double kHopeless = 1.2;  // times the cost at home on the middle level: not worth the sharpest
+constexpr int kVariants = 150;     // of one light
+constexpr std::size_t kPool = 20;  // variants that descend
 constexpr int kSimplexSlice = 25;  // evaluations on samples in one step
+
+enum LevelName : std::size_t { kScout, kSoft, kMiddle, kSharp };
 
 /// Many starts descend a little on few samples, the best of them on, and only one to the end.
 struct Stage {
@@ -22,7 +26,7 @@ struct Stage {
   int iterations = 0;
   std::size_t keep = 1;  // of its ends, for the next stage
 };
-constexpr std::array<Stage, 4> kStages{{{0, 4, 2}, {0, 12, 1}, {1, 10, 1}, {2, 12, 1}}};
+constexpr std::array<Stage, 4> kStages{{{kScout, 5, 4}, {kSoft, 12, 2}, {kMiddle, 10, 1}, {kSharp, 12, 1}}};
 
 bool cheaper(const CellPoint& a, const CellPoint& b) {
   return a.cost < b.cost;
@@ -103,19 +107,20 @@ Result<std::unique_ptr<FastSolver>> FastSolver::create(Renderer& renderer, const
 Result<void> FastSolver::prepare() {
   const ParamState& start = progress_->best();
   const CellSampler sampler(renderer_->surface(), *target_);
-  const int per_cell = renderer_->style().metric.blur > 0.0F ? 16 : 4;  // a blurred metric sees means
+  const int per_cell = renderer_->style().metric.blur > 0.0F ? 4 : 1;  // a blurred metric sees means
   const std::uint64_t seed = progress_->options().seed;
-  levels_[0] = {sampler.cut(144, per_cell, seed), {0.12F, 0.15F, 0.3F, 2}, 0.06, 12};
-  levels_[1] = {sampler.cut(256, per_cell, seed + 1), {0.05F, 0.06F, 0.1F, 2}, 0.03, 10};
-  levels_[2] = {sampler.cut(2304, per_cell / 4, seed + 2), {0.0F, 0.0F, 0.0F, 2}, 0.015, 12};
-  LUM_TRY(parts_, PictureParts::create(*renderer_, start, levels_[0].cells.samples));
+  levels_[kScout] = {sampler.cut(160, per_cell, seed), {0.08F, 0.10F, 0.3F, 1}, 0.03, 12};
+  levels_[kSoft] = {sampler.cut(144, 4 * per_cell, seed + 1), {0.08F, 0.10F, 0.3F, 2}, 0.03, 12};
+  levels_[kMiddle] = {sampler.cut(256, 4 * per_cell, seed + 2), {0.03F, 0.04F, 0.1F, 2}, 0.015, 10};
+  levels_[kSharp] = {sampler.cut(2304, per_cell, seed + 3), {0.0F, 0.0F, 0.0F, 2}, 0.008, 12};
+  LUM_TRY(parts_, PictureParts::create(*renderer_, start, levels_[kScout].cells.samples));
   for (const Level& level : levels_) {
     LUM_TRY(CellProblem problem, CellProblem::create(*renderer_, parts_, level, start, Norm::kUnsquared));
     problems_.push_back(std::move(problem));
   }
   Vec3 sum(0.0F);
-  for (const Vec3& position : levels_[0].cells.position) sum += position;
-  focus_ = sum / static_cast<float>(std::max(1, levels_[0].cells.size()));
+  for (const Vec3& position : levels_[kSoft].cells.position) sum += position;
+  focus_ = sum / static_cast<float>(std::max(1, levels_[kSoft].cells.size()));
   for (const Dof& dof : objective_.map().list()) {
     if (parts_.scaled_by(dof) >= 0) continue;
     if (free_blocks_.empty() || free_blocks_.back() != dof.block) free_blocks_.push_back(dof.block);
@@ -156,8 +161,8 @@ Result<void> FastSolver::compare_start() {
   const ParamState start = progress_->best();
   LUM_TRY(const double epsilon, objective_.evaluate(objective_.unit(start)));
   progress_->record(start, epsilon);
-  LUM_TRY(incumbent_, problems_[2].measure(start));
-  LUM_TRY(const CellPoint middle, problems_[1].measure(start));
+  LUM_TRY(incumbent_, problems_[kSharp].measure(start));
+  LUM_TRY(const CellPoint middle, problems_[kMiddle].measure(start));
   middle_start_ = middle.cost;
   begin_descents({start}, 1);
   return {};
@@ -196,7 +201,7 @@ Result<void> FastSolver::end_stage() {
     phase_ = Phase::kCheck;
     return {};
   }
-  if (kStages[stage_].level == 1 && round_ == 0) {
+  if (kStages[stage_].level == kMiddle && round_ == 0) {
     if (!scouted_ || ends_.front().cost < scouted_->cost) scouted_ = ends_.front();
     if (scouted_->cost > kClear * middle_start_ && scouts_ < kScouts && !free_blocks_.empty()) {
       ++scouts_;
@@ -208,10 +213,21 @@ Result<void> FastSolver::end_stage() {
     }
     ends_.front() = *scouted_;
   }
+  // What an exploration finds must be another place than where it set out from.
+  const CellProblem& problem = problems_[kStages[stage_].level];
+  std::optional<CellPoint> home;
+  if (exploring_) {
+    LUM_TRY(home, problem.measure(base_));
+    if (kStages[stage_].level == kMiddle)
+      std::erase_if(ends_, [&](const CellPoint& end) { return end.cost > kHopeless * home->cost; });
+  }
   std::vector<ParamState> next;
-  for (CellPoint& end :
-       cheapest_distinct(problems_[kStages[stage_].level], std::move(ends_), kStages[stage_].keep, nullptr)) {
+  for (CellPoint& end : cheapest_distinct(problem, std::move(ends_), kStages[stage_].keep, home ? &*home : nullptr)) {
     next.push_back(std::move(end.state));
+  }
+  if (next.empty()) {
+    begin_round();
+    return {};
   }
   begin_descents(std::move(next), stage_ + 1);
   return {};
@@ -238,11 +254,13 @@ void FastSolver::begin_round() {
     idle_rounds_ = epsilon < (1.0 - kRoundGain) * epsilon_before_round_ ? 0 : idle_rounds_ + 1;
   }
   const int rounds = progress_->options().restarts >= 0 ? progress_->options().restarts : kRounds;
-  if (good_enough() || idle_rounds_ >= kIdleRounds || round_ >= rounds || free_blocks_.empty()) {
+  const bool wanted = progress_->options().until > 0.0;  // a stated goal is worth every round
+  if (good_enough() || (idle_rounds_ >= kIdleRounds && !wanted) || round_ >= rounds || free_blocks_.empty()) {
     phase_ = Phase::kDone;
     return;
   }
   epsilon_before_round_ = epsilon;
+  exploring_ = false;
   ++round_;
   pool_.clear();
   explored_ = 0;
@@ -251,11 +269,11 @@ void FastSolver::begin_round() {
 }
 
 Result<void> FastSolver::explore() {
-  const CellProblem& problem = problems_[0];
-  const SampleCells& cells = levels_[0].cells;
+  const CellProblem& problem = problems_[kScout];
+  const SampleCells& cells = levels_[kScout].cells;
   LUM_TRY(const CellPoint here, problem.measure(base_));
   const CellField picture = problem.picture(here);
-  LightPlaces places{cells.position, cells.normal, {}};
+  LightPlaces places{cells.position, cells.normal, {}, focus_};
   for (std::size_t c = 0; c < picture.size(); ++c) {
     places.say.push_back(cells.weight[c] * glm::length(picture[c] - cells.target[c]));
   }
@@ -268,15 +286,27 @@ Result<void> FastSolver::explore() {
   std::sort(touched.begin(), touched.end());
   touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
   std::vector<ParamState> states = light_variants(here.state, block, places, renderer_->frame(), kVariants, random_);
-  LUM_TRY(std::vector<CellPoint> points, problem.measure(std::move(states), &here, touched));
-  for (CellPoint& point : points) pool_.push_back(std::move(point));
+  std::vector<std::size_t> group_ends;  // of each scan only the best counts
+  for (std::size_t i = 1; i <= states.size(); ++i) group_ends.push_back(i);
   for (std::vector<ParamState>& scan : light_scans(here.state, start_, block, renderer_->frame())) {
-    LUM_TRY(points, problem.measure(std::move(scan), &here, touched));
-    pool_.push_back(std::move(*std::min_element(points.begin(), points.end(), cheaper)));
+    std::move(scan.begin(), scan.end(), std::back_inserter(states));
+    group_ends.push_back(states.size());
+  }
+  LUM_TRY(std::vector<CellPoint> points, problem.measure(std::move(states), &here, touched));
+  std::size_t first = 0;
+  for (const std::size_t end : group_ends) {
+    const auto begin = points.begin() + static_cast<std::ptrdiff_t>(first);
+    if (end > first)
+      pool_.push_back(std::move(*std::min_element(begin, points.begin() + static_cast<std::ptrdiff_t>(end), cheaper)));
+    first = end;
   }
   if (explored_ < free_blocks_.size()) return {};
   pool_ = cheapest_distinct(problem, std::move(pool_), kPool, &here);
-  if (pool_.empty()) pool_.push_back(here);
+  if (pool_.empty()) {
+    begin_round();
+    return {};
+  }
+  exploring_ = round_ > 0;
   std::vector<ParamState> starts;
   for (const CellPoint& point : pool_) starts.push_back(point.state);
   begin_descents(std::move(starts), 0);
@@ -284,7 +314,7 @@ Result<void> FastSolver::explore() {
 }
 
 Result<void> FastSolver::run_simplex() {
-  const CellProblem& problem = problems_[1];
+  const CellProblem& problem = problems_[kMiddle];
   if (!simplex_) {
     LUM_TRY(CellPoint here, problem.measure(incumbent_->state));
     simplex_ = SampleSimplex::create(problem, here, focus_, 0.1);

@@ -53,7 +53,7 @@ class FastSolver final : public Solver {
   Random random_;
   Vec3 focus_{0.0F};
   PictureParts parts_;
-  std::array<Level, 3> levels_;
+  std::array<Level, 4> levels_;
   std::vector<CellProblem> problems_;  ///< one a level
   std::vector<int> free_blocks_;       ///< blocks with something unlocked besides colours
 
@@ -72,6 +72,7 @@ class FastSolver final : public Solver {
   std::vector<CellPoint> pool_;       ///< variants on the softest level
   std::size_t explored_ = 0;          ///< free blocks done in this round
   std::unique_ptr<SampleSimplex> simplex_;
+  bool exploring_ = false;  ///< ends that are home again do not count
   int round_ = 0;
   int idle_rounds_ = 0;  ///< in a row without a gain
   double epsilon_before_round_ = 0.0;

@@ -48,20 +48,16 @@ void copy_values(const ParamState& from, int block, ParamState& to) {
   }
 }
 
-/// Puts a light at a random place that looks at a place of the picture.
-void place_anew(ParamBlock& params, int position, int direction, const LightPlaces& places, const SceneFrame& frame,
-                Random& random) {
-  const std::size_t place = draw_place(places, random);
-  const Vec3 aim = places.position[place];
-  Vec3 to_light = -params.vec3(direction);
-  if (random.uniform() < 0.5) {
-    to_light = glm::normalize(to_light) + 0.6F * random.direction();
-  } else {
-    to_light = random.direction() + places.normal[place];  // cosine-weighted above the surface
-  }
-  if (!(glm::length(to_light) > 1e-3F)) to_light = places.normal[place];
-  const auto distance = static_cast<float>(frame.radius * std::exp(random.uniform(std::log(0.5), std::log(4.0))));
-  params.set_vec3(position, aim + distance * glm::normalize(to_light));
+/// Puts a light at a random place from which it looks at `aim` and covers there what it covers now.
+void place_anew(ParamBlock& params, int position, int direction, const Vec3& aim, const Vec3& normal, float distance,
+                const SceneFrame& frame, Random& random) {
+  const Vec3 back = -glm::normalize(params.vec3(direction));
+  Vec3 to_light = random.uniform() < 0.7 ? back + static_cast<float>(random.uniform(0.0, 0.8)) * random.direction()
+                                         : normal + random.direction();  // cosine-weighted above the surface
+  if (!(glm::length(to_light) > 1e-3F)) to_light = normal;
+  const auto longer = static_cast<float>(std::exp(random.uniform(std::log(0.4), std::log(2.5))));
+  const float wanted = std::clamp(longer * distance, 0.2F * frame.radius, 6.0F * frame.radius);
+  params.set_vec3(position, aim + wanted * glm::normalize(to_light));
   // Back into the range of positions, then look at the place from there.
   ParamBlock alone = params;
   alone.set_param_locked(-1, true);
@@ -74,7 +70,10 @@ void place_anew(ParamBlock& params, int position, int direction, const LightPlac
   map.from_unit(x, writable);
   params.set_vec3(position, alone.vec3(position));
   const Vec3 way = aim - params.vec3(position);
-  if (glm::length(way) > 1e-4F * frame.radius) params.set_vec3(direction, glm::normalize(way));
+  const float now = glm::length(way);
+  if (!(now > 1e-4F * frame.radius)) return;
+  params.set_vec3(direction, way / now);
+  keep_footprint(params, frame, distance, now);
 }
 
 /// The parameters of one manifest group as they are in `start`, and nothing else of the block free.
@@ -120,6 +119,18 @@ void scan_values(const ParamState& state, const ParamState& around, int block, c
   }
 }
 
+/// Half width and height of a shape, exchanged. returns false if there are no two free ones.
+bool swap_sides(ParamBlock& params) {
+  const std::optional<int> shape = params.schema().by_role("shape");
+  if (!shape || params.schema()[*shape].components() < 2) return false;
+  const int first = params.schema()[*shape].first_dof;
+  if (params.locked(first) || params.locked(first + 1)) return false;
+  const double width = params.get(*shape, 0);
+  params.set(*shape, 0, params.get(*shape, 1));
+  params.set(*shape, 1, width);
+  return true;
+}
+
 void scan_edges(const ParamState& state, const ParamState& alone, int block,
                 std::vector<std::vector<ParamState>>& scans) {
   constexpr int kWays = 8;  // the roll of a light is its own affair: all ways round are tried
@@ -132,6 +143,22 @@ void scan_edges(const ParamState& state, const ParamState& alone, int block,
   Vec3 right;
   Vec3 up;
   tangent_frame(axis, right, up);
+  for (int way = 0; way < kWays; ++way) {
+    // A light that turns past straight down may roll by a quarter: then width and height have changed places.
+    const double angle = 2.0 * kPi * way / kWays;
+    const Vec3 across = static_cast<float>(std::cos(angle)) * right + static_cast<float>(std::sin(angle)) * up;
+    for (const bool swapped : {false, true}) {
+      scans.emplace_back();
+      for (const float shift : {0.1F, 0.3F}) {
+        ParamState variant = state;
+        ParamBlock& changed = *variant.blocks()[static_cast<std::size_t>(block)];
+        if (swapped && !swap_sides(changed)) continue;
+        changed.set_vec3(*direction, glm::normalize(axis + shift * across));
+        scans.back().push_back(std::move(variant));
+      }
+      if (scans.back().empty()) scans.pop_back();
+    }
+  }
   for (int side = 0; side < 2; ++side) {
     if (params.locked(params.schema()[*shape].first_dof + side)) continue;
     const double half = params.get(*shape, side);
@@ -162,19 +189,27 @@ std::vector<ParamState> light_variants(const ParamState& state, int block, const
   std::vector<ParamState> variants;
   for (int i = 0; i < count; ++i) {
     ParamState centre = alone;
-    const bool placed = can_be_placed && i % 2 == 0;
+    ParamBlock& moved = *centre.blocks()[static_cast<std::size_t>(block)];
+    const bool placed = can_be_placed && i % 3 != 2;
     if (placed) {
-      place_anew(*centre.blocks()[static_cast<std::size_t>(block)], *position, *direction, places, frame, random);
+      const Vec3 at = moved.vec3(*position);
+      const Vec3 way = glm::normalize(moved.vec3(*direction));
+      const float distance = std::max(glm::dot(places.focus - at, way), 0.25F * frame.radius);
+      const std::size_t place = draw_place(places, random);
+      const Vec3 aim = i % 3 == 0 ? at + distance * way : places.position[place];
+      place_anew(moved, *position, *direction, aim, places.normal[place], distance, frame, random);
+      if (random.uniform() < 0.3) swap_sides(moved);
     }
-    const AimMap map(centre, frame, frame.center);
+    const AimMap map(centre, frame, places.focus);
     std::vector<double> x = map.origin();
     constexpr std::array<double, 3> kSpread{0.03, 0.1, 0.3};
     const double spread = kSpread[static_cast<std::size_t>(random.index(3))];
+    const double share = placed ? random.uniform() * random.uniform() : random.uniform(0.1, 1.0);  // of what changes
     for (std::size_t k = 0; k < x.size(); ++k) {
       const std::string& role = params.schema()[map.units().list()[k].param].role;
       const bool place = role == "position" || role == "direction";
-      if (role == "color" || (placed && place) || random.uniform() < 0.3) continue;
-      x[k] = placed && random.uniform() < 0.4 ? random.uniform() : x[k] + spread * random.normal();
+      if (role == "color" || (placed && place) || random.uniform() >= share) continue;
+      x[k] = random.uniform() < 0.2 ? random.uniform() : x[k] + spread * random.normal();
       x[k] = std::clamp(x[k], 0.0, 1.0);
     }
     ParamState variant = state;

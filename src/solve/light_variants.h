@@ -13,12 +13,14 @@ struct LightPlaces {
   std::span<const Vec3> position;  ///< world
   std::span<const Vec3> normal;
   std::vector<double> say;  ///< >= 0, of any sum
+  Vec3 focus{0.0F};         ///< where the picture counts on average
 };
 
 /// `count` variants of a state in which one block's unlocked parameters are others (colours stay: they are solved).
 ///
-/// Half of them, if the light has a free position and direction, stand somewhere around a place of the picture and
-/// shine at it; the rest jitter the present values by 3, 10 or 30 % of their ranges. All are within their ranges.
+/// If the light has a free position and direction, a third of them stand elsewhere around what it shines on and a third
+/// shine at another place of the picture, with about the same footprint. The others, and the rest of the parameters of
+/// many, are jittered by 3, 10 or 30 % of their ranges. All are within their ranges.
 std::vector<ParamState> light_variants(const ParamState& state, int block, const LightPlaces& places,
                                        const SceneFrame& frame, int count, Random& random);
 
