@@ -2,7 +2,7 @@
 """Fails when a module includes another that its luminist_module(... DEPS ...) does not reach.
 
 The declaration in src/<module>/CMakeLists.txt is the only one; this reads it. Also keeps heavy libraries in their
-module: GL in gpu and raster, OpenMesh in prep, CGAL in scene and prep, Embree in rays, OpenImageIO in image_io's helper.
+module: GL in gpu and raster, OpenMesh in prep, CGAL in prep, Embree in rays, OpenImageIO in image_io's helper.
 """
 import pathlib
 import re
@@ -13,7 +13,7 @@ LIBRARIES = {  # include prefix: modules (or folders below the root) that may us
     "epoxy/": {"gpu", "raster"},
     "EGL/": {"gpu"},
     "OpenMesh/": {"prep"},
-    "CGAL/": {"scene", "prep"},
+    "CGAL/": {"prep"},
     "embree3/": {"rays"},
     "OpenImageIO/": {"image_io/helper"},
     "Eigen/": {"solve", "prep"},

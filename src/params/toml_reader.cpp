@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <new>
 
 #include <fmt/format.h>
 
@@ -73,6 +74,8 @@ Result<TomlValue> parse_toml(std::string_view text, const std::string& path, Err
     return Error{kind, std::string(error.description()),
                  place_name(path, static_cast<int>(place.line), static_cast<int>(place.column)), "",
                  "write it as TOML 1.0"};
+  } catch (const std::bad_alloc&) {
+    throw;  // not the file's fault: the command line reports it as its own kind
   } catch (const std::exception& error) {
     return Error{kind, error.what(), path, "", ""};
   }

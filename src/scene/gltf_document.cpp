@@ -7,6 +7,7 @@
 #include <cstring>
 #include <exception>
 #include <limits>
+#include <new>
 #include <optional>
 #include <utility>
 
@@ -253,6 +254,8 @@ Result<std::unique_ptr<tinygltf::Model>> parse_gltf(const std::string& path, con
     parsed = binary ? parser.LoadBinaryFromMemory(model.get(), &error, &warning,
                                                   reinterpret_cast<const unsigned char*>(bytes.data()), size)
                     : parser.LoadASCIIFromString(model.get(), &error, &warning, bytes.data(), size, "");
+  } catch (const std::bad_alloc&) {
+    throw;  // not the file's fault: the command line reports it as its own kind
   } catch (const std::exception& e) {
     error = e.what();
   }

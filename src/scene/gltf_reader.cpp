@@ -4,6 +4,7 @@
 #include <exception>
 #include <map>
 #include <memory>
+#include <new>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -320,6 +321,8 @@ Result<Scene> read_gltf(const std::string& path, Diagnostics& diagnostics) {
   }
   try {
     return GltfReader(path, *model, diagnostics).read();
+  } catch (const std::bad_alloc&) {
+    throw;  // not the file's fault: the command line reports it as its own kind
   } catch (const std::exception& e) {
     return Error{ErrorKind::kBadContent, fmt::format("the glTF file makes no sense: {}", e.what()), path, "", ""};
   }

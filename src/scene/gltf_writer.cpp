@@ -2,6 +2,7 @@
 
 #include <exception>
 #include <map>
+#include <new>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -250,6 +251,8 @@ Result<void> save_scene(const Scene& scene, const std::string& path) {
       return error;
     }
     return write_file_atomic(path, *bytes);
+  } catch (const std::bad_alloc&) {
+    throw;  // not the file's fault: the command line reports it as its own kind
   } catch (const std::exception& e) {
     return Error{ErrorKind::kUnwritable, fmt::format("the scene cannot be written: {}", e.what()), path, "", ""};
   }

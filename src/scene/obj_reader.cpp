@@ -5,6 +5,7 @@
 #include <istream>
 #include <limits>
 #include <map>
+#include <new>
 #include <optional>
 #include <sstream>
 #include <utility>
@@ -268,6 +269,8 @@ Result<Scene> read_obj(const std::string& path, Diagnostics& diagnostics) {
   LUM_TRY(std::string text, read_file(path));
   try {
     return ObjBuilder(path, std::move(text)).build(diagnostics);
+  } catch (const std::bad_alloc&) {
+    throw;  // not the file's fault: the command line reports it as its own kind
   } catch (const std::exception& e) {
     return Error{ErrorKind::kBadContent, fmt::format("the OBJ parser gave up: {}", e.what()), path, "", ""};
   }
