@@ -1,5 +1,6 @@
 #pragma once
 // prep/half_edges.h -- our meshes as OpenMesh's and back. For the sources of prep only.
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
