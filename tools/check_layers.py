@@ -79,6 +79,10 @@ def main():
         for path in sorted((ROOT / "src" / module).rglob("*")):
             if path.suffix in (".h", ".cpp"):
                 faults += check_file(path, module, allowed, modules)
+    for folder in ("tools", "tests"):
+        for path in sorted((ROOT / folder).rglob("*")):
+            if path.suffix in (".h", ".cpp"):
+                faults += check_file(path, folder, set(modules), modules)
     print("\n".join(faults) if faults else f"layers: {len(modules)} modules, no fault")
     return 1 if faults else 0
 

@@ -14,6 +14,7 @@ void main() {
   double sum = 0.0lf;
   for (uint pixel = lane; pixel < pixels; pixel += lanes) {
     vec4 goal = wanted[pixel];
+    if (goal.a == 0.0) continue;  // what does not count may be anything, not finite too
     sum += double(goal.a * length(goal.rgb - picture[pixel].rgb));
   }
   sums[lane] = sum;

@@ -82,10 +82,11 @@ Result<Child> start(const std::vector<std::string>& arguments) {
   sigset_t defaults, unblocked;
   ::sigemptyset(&unblocked);
   ::sigemptyset(&defaults);
-  for (const int s : {SIGPIPE, SIGALRM, SIGTERM}) ::sigaddset(&defaults, s);
+  for (const int s : {SIGPIPE, SIGALRM, SIGTERM, SIGXFSZ}) ::sigaddset(&defaults, s);
   ::posix_spawnattr_setsigdefault(&attributes, &defaults);
   ::posix_spawnattr_setsigmask(&attributes, &unblocked);
-  ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK);
+  // A group of its own: Ctrl-C on the terminal is for us, who may still want the child to write what was found.
+  ::posix_spawnattr_setflags(&attributes, POSIX_SPAWN_SETSIGDEF | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETPGROUP);
 
   std::vector<char*> argv;
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));  // exec's type

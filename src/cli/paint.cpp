@@ -18,7 +18,7 @@ struct Words {
 /// target.exr -> target.importance.exr
 std::string importance_path(const std::string& target) {
   const std::filesystem::path path(target);
-  return (path.parent_path() / (path.stem().string() + ".importance" + path.extension().string())).string();
+  return (path.parent_path() / (path.stem().string() + ".importance.exr")).string();
 }
 
 Result<int> paint(const Words& words, VerbContext& context) {
@@ -47,7 +47,7 @@ Verb declare_paint(CLI::App& app) {
   const auto words = std::make_shared<Words>();  // the parser and the returned function both use it
   declare_shot(app, words->shot);
   app.add_option("STROKES", words->strokes, "Stroke file (JSON)")->required();
-  app.add_option("-o,--output", words->output, "Target: .exr or .png; the importance map is written beside it")
+  app.add_option("-o,--output", words->output, "Target: .exr or .png; the importance map is written beside it, as EXR")
       ->required();
   app.footer(
       "Example:\n"

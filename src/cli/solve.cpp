@@ -147,7 +147,8 @@ Verb declare_solve(CLI::App& app) {
   declare_shot(app, words->shot);
   CLI::Option* strokes = app.add_option("--paint", words->strokes, "Stroke file: what you want to see");
   app.add_option("--target", words->target, "Picture of what you want to see, .exr or .png")->excludes(strokes);
-  app.add_option("--importance", words->importance, "How much each pixel of --target counts (first channel)");
+  app.add_option("--importance", words->importance,
+                 "How much each pixel of --target counts: importance.exr of a result, or a linear image");
   app.add_option("--add-light", words->new_lights, "Adds so many lights where the paint wants them; locks the others")
       ->check(CLI::Range(0, 16));
   app.add_option("--light-type", words->light.type, "Type of the lights that are added (default: cinematic)");

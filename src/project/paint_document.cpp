@@ -135,6 +135,17 @@ Result<double> number_at(const Document& document, const std::string& path) {
   return value.get<double>();
 }
 
+constexpr double kMostStrokes = 16777216.0;  // 2^24: what a float counts exactly
+
+/// errors kBadContent unless least <= number <= most.
+Result<double> number_within(const Document& document, const std::string& path, double least, double most) {
+  LUM_TRY(const double number, number_at(document, path));
+  if (!(number >= least && number <= most)) {
+    return wrong(path, fmt::format("a number from {} to {} is wanted", least, most));
+  }
+  return number;
+}
+
 Result<std::optional<Peak>> read_peak(const Document& document) {
   if (!document.has("paint/peak")) return std::optional<Peak>{};
   const Json value = Json::parse(document.get("paint/peak"), nullptr, false);
@@ -145,15 +156,20 @@ Result<std::optional<Peak>> read_peak(const Document& document) {
   Peak peak;
   peak.kind = number(0) == 0.0F ? PeakKind::kDiffuse : PeakKind::kSpecular;
   peak.direction = Vec3(number(1), number(2), number(3));
+  if (!(std::abs(glm::length(peak.direction) - 1.0F) < 1e-3F)) return wrong("paint/peak", "a unit vector is wanted");
   return std::optional<Peak>(peak);
 }
 
 Result<void> read_strokes(const Document& document, const TileStore& tiles, CanvasState& canvas) {
-  LUM_TRY(const double strokes, number_at(document, "paint/strokes"));
+  LUM_TRY(const double strokes, number_within(document, "paint/strokes", 0.0, kMostStrokes));
   canvas.strokes = static_cast<std::uint32_t>(strokes);
   LUM_TRY(canvas.peak, read_peak(document));
   Image stroke = stroke_image(canvas);
   LUM_TRY_VOID(read_plane(document, "stroke", tiles, stroke));
+  const auto counts = [&](float number) { return number >= 0.0F && number <= static_cast<float>(canvas.strokes); };
+  if (!std::all_of(stroke.data.begin(), stroke.data.end(), counts)) {
+    return wrong("paint/stroke", "a tile names a stroke that is not there");
+  }
   std::transform(stroke.data.begin(), stroke.data.end(), canvas.target.stroke.begin(),
                  [](float number) { return static_cast<std::uint32_t>(number); });
   LUM_TRY_VOID(read_plane(document, "color", tiles, canvas.target.color));
@@ -201,8 +217,8 @@ bool has_paint(const Document& document) {
 Result<CanvasState> read_paint(const Document& document, const TileStore& tiles, CanvasState fresh) {
   CanvasState canvas = std::move(fresh);
   if (document.has("paint/nu")) {
-    LUM_TRY(const double nu, number_at(document, "paint/nu"));
-    LUM_TRY(const double delta, number_at(document, "paint/delta"));
+    LUM_TRY(const double nu, number_within(document, "paint/nu", 0.0, 1.0));
+    LUM_TRY(const double delta, number_within(document, "paint/delta", 0.0, 1.0));
     canvas.importance.nu = static_cast<float>(nu);
     canvas.importance.delta = static_cast<float>(delta);
   }

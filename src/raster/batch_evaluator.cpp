@@ -8,8 +8,9 @@
 namespace luminist {
 namespace {
 
-// Candidates x lights x samples of one dispatch: bounds its buffers, far from a device's limits.
-constexpr std::size_t kMaxValues = std::size_t{1} << 23;
+// Candidates x lights x samples of one dispatch. Its largest buffer has 16 bytes a value and may be made half as large
+// again: 48 MiB, where every device takes a storage block of 128.
+constexpr std::size_t kMaxValues = std::size_t{1} << 21;
 
 Vec3 finite_or_black(const Vec4& color) {
   const Vec3 rgb(color);

@@ -1,6 +1,7 @@
 #include "studio/script.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -198,7 +199,11 @@ Result<void> ScriptRunner::revert(const Action&) {
 
 Result<void> ScriptRunner::step_history(const Action& action) {
   LUM_TRY(const auto steps, action.number("steps"));
-  for (int i = 0; i < static_cast<int>(steps.value_or(1.0)); ++i) {
+  const double count = steps.value_or(1.0);
+  if (!(count >= 1.0 && count <= 1e9 && count == std::floor(count))) {
+    return action.wrong("a whole number from 1 is wanted", "steps");
+  }
+  for (int i = 0; i < static_cast<int>(count); ++i) {
     LUM_TRY_VOID(action.verb() == "undo" ? session_->undo() : session_->redo());
   }
   return {};

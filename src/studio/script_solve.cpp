@@ -1,5 +1,6 @@
 // The actions of a script that solve and export, and the loop over its lines.
 #include <chrono>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -26,11 +27,14 @@ Result<SolveOptions> solve_options(const Action& action) {
     return action.wrong("auto, fast or simplex is wanted", "solver");
   }
   options.solver = name == "fast" ? SolverKind::kFast : name == "simplex" ? SolverKind::kSimplex : SolverKind::kAuto;
-  const auto whole = [](double value, double most) { return value >= 0.0 && value <= most; };
+  const auto whole = [](double value, double most) {
+    return value >= 0.0 && value <= most && value == std::floor(value);
+  };
   if (!whole(seed.value_or(0.0), 9e15)) return action.wrong("a whole number from 0 is wanted", "seed");
   if (!whole(max_evals.value_or(1.0), std::numeric_limits<int>::max()) || max_evals.value_or(1.0) < 1.0) {
     return action.wrong("a whole number from 1 is wanted", "max_evals");
   }
+  if (!whole(restarts.value_or(0.0), 1e6)) return action.wrong("a whole number from 0 is wanted", "restarts");
   if (until.value_or(0.0) < 0.0) return action.wrong("a number from 0 is wanted", "until");
   if (seed) options.seed = static_cast<std::uint64_t>(*seed);
   if (max_evals) options.max_evals = static_cast<int>(*max_evals);
