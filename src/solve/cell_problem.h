@@ -33,12 +33,14 @@ class PictureParts {
   std::vector<Part> parts_;
 };
 
-/// Samples, how soft edges are, and how far positions step when a slope is wanted.
+/// Samples, how soft edges are, and how far parameters step when a slope is wanted (unit coordinates): the sharper the
+/// picture, the shorter.
 struct Level {
   SampleCells cells;
   Softness softness;
-  double position_step = 0.015;  ///< unit coordinate
-  int iterations = 12;           ///< at most
+  double position_step = 0.01;  ///< of positions
+  double step = 0.01;           ///< of all others
+  int iterations = 12;          ///< at most
 };
 
 /// A state and its parts on the cells of one level.

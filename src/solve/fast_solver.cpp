@@ -12,7 +12,7 @@ constexpr double kRoundGain = 0.02;   // a round that gains less was idle
 constexpr int kRounds = 8;
 constexpr int kIdleRounds = 2;
 constexpr int kScouts = 2;         // explorations before the first picture...
-constexpr double kClear = 0.05;    // ...unless the middle level is this near to the target, of the start's distance
+constexpr double kClear = 0.15;    // ...unless the middle level is this near to the target, of the start's distance
 constexpr double kHopeless = 1.2;  // times the cost at home on the middle level: not worth the sharpest
 constexpr int kVariants = 150;     // of one light
 constexpr std::size_t kPool = 20;  // variants that descend
@@ -109,10 +109,10 @@ Result<void> FastSolver::prepare() {
   const CellSampler sampler(renderer_->surface(), *target_);
   const int per_cell = renderer_->style().metric.blur > 0.0F ? 4 : 1;  // a blurred metric sees means
   const std::uint64_t seed = progress_->options().seed;
-  levels_[kScout] = {sampler.cut(160, per_cell, seed), {0.08F, 0.10F, 0.3F, 1}, 0.03, 12};
-  levels_[kSoft] = {sampler.cut(144, 4 * per_cell, seed + 1), {0.08F, 0.10F, 0.3F, 2}, 0.03, 12};
-  levels_[kMiddle] = {sampler.cut(256, 4 * per_cell, seed + 2), {0.03F, 0.04F, 0.1F, 2}, 0.015, 10};
-  levels_[kSharp] = {sampler.cut(2304, per_cell, seed + 3), {0.0F, 0.0F, 0.0F, 2}, 0.008, 12};
+  levels_[kScout] = {sampler.cut(160, per_cell, seed), {0.08F, 0.10F, 0.3F, 1}, 0.015, 0.006, 12};
+  levels_[kSoft] = {sampler.cut(144, 4 * per_cell, seed + 1), {0.08F, 0.10F, 0.3F, 2}, 0.015, 0.006, 12};
+  levels_[kMiddle] = {sampler.cut(256, 4 * per_cell, seed + 2), {0.03F, 0.04F, 0.1F, 2}, 0.008, 0.005, 10};
+  levels_[kSharp] = {sampler.cut(2304, per_cell, seed + 3), {0.0F, 0.0F, 0.0F, 2}, 0.004, 0.003, 12};
   LUM_TRY(parts_, PictureParts::create(*renderer_, start, levels_[kScout].cells.samples));
   for (const Level& level : levels_) {
     LUM_TRY(CellProblem problem, CellProblem::create(*renderer_, parts_, level, start, Norm::kUnsquared));
@@ -264,8 +264,8 @@ void FastSolver::begin_round() {
   ++round_;
   pool_.clear();
   explored_ = 0;
-  base_ = incumbent_->state;
-  phase_ = round_ % 2 == 1 ? Phase::kExplore : Phase::kSimplex;
+  base_ = round_ % 3 == 2 ? start_ : incumbent_->state;  // another centre, other finds
+  phase_ = round_ % 3 == 0 ? Phase::kSimplex : Phase::kExplore;
 }
 
 Result<void> FastSolver::explore() {

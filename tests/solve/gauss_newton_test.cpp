@@ -1,0 +1,122 @@
+#include "solve/gauss_newton.h"
+
+#include <gtest/gtest.h>
+
+#include "solve/fake_renderer.h"
+#include "support/fixtures.h"
+
+namespace luminist {
+namespace {
+
+class GaussNewtonTest : public testing::Test {
+ protected:
+  explicit GaussNewtonTest(FakeStyle style = FakeStyle::kMatte)
+      : renderer_(96, 96, style), wanted_(renderer_.empty_state()) {
+    wanted_.rig.lights.push_back(hidden_light(renderer_, "spot", 6));
+    target_ = renderer_.target_of(wanted_, renderer_.empty_state());
+    const CellSampler sampler(renderer_.surface(), target_);
+    level_ = {sampler.cut(600, 1, 1), {}, 0.004, 0.003, 30};
+  }
+  Result<CellProblem> problem(const ParamState& start) {
+    LUM_TRY(const PictureParts parts, PictureParts::create(renderer_, start, level_.cells.samples));
+    parts_ = parts;
+    return CellProblem::create(renderer_, parts_, level_, start, Norm::kUnsquared);
+  }
+  ParamBlock& light(ParamState& state) { return state.rig.lights[0].params; }
+
+  FakeRenderer renderer_;
+  ParamState wanted_;
+  Target target_;
+  Level level_;
+  PictureParts parts_;
+};
+
+TEST_F(GaussNewtonTest, ColoursAreFoundByMeasuringOnce) {
+  ParamState start = wanted_;
+  light(start).set_vec3(*light(start).schema().by_role("color"), Vec3(0.01F, 3.0F, 0.5F));
+  LUM_ASSERT_OK(const CellProblem cells, problem(start));
+  LUM_ASSERT_OK(const CellPoint point, cells.measure(start));
+  EXPECT_LT(point.cost, 1e-4);  // of a picture of brightness 1: floats
+}
+
+TEST_F(GaussNewtonTest, FindsBackToALightThatWasMovedALittle) {
+  ParamState start = wanted_;
+  const int position = *light(start).schema().by_role("position");
+  light(start).set_vec3(position, light(start).vec3(position) + Vec3(0.06F, -0.04F, 0.04F));
+  LUM_ASSERT_OK(const CellProblem cells, problem(start));
+  LUM_ASSERT_OK(CellPoint point, cells.measure(start));
+  const double before = point.cost;
+  GaussNewton descent(cells, std::move(point), renderer_.frame().center);
+  for (bool more = true; more;) {
+    LUM_ASSERT_OK(more, descent.iterate());
+  }
+  EXPECT_LT(descent.point().cost, 0.1 * before);
+}
+
+TEST_F(GaussNewtonTest, NeverCostsMoreFromOneIterationToTheNextAndStaysInTheUnitCube) {
+  for (std::uint64_t seed = 0; seed < 5; ++seed) {
+    ParamState start = renderer_.empty_state();
+    start.rig.lights.push_back(hidden_light(renderer_, "spot", seed + 20));
+    LUM_ASSERT_OK(const CellProblem cells, problem(start));
+    LUM_ASSERT_OK(CellPoint point, cells.measure(start));
+    double cost = point.cost;
+    GaussNewton descent(cells, std::move(point), renderer_.frame().center);
+    for (bool more = true; more;) {
+      LUM_ASSERT_OK(more, descent.iterate());
+      EXPECT_LE(descent.point().cost, cost);
+      cost = descent.point().cost;
+    }
+    const std::vector<const ParamBlock*> blocks = std::as_const(descent.point().state).blocks();
+    const UnitMap map = UnitMap::create(blocks, renderer_.frame());
+    EXPECT_NEAR(penalty(map.to_unit(blocks)), 0.0, 1e-5);  // values are floats
+  }
+}
+
+TEST_F(GaussNewtonTest, OnlyTheTouchedPartsOfAPictureAreEvaluated) {
+  ParamState start = wanted_;
+  start.rig.lights.push_back(hidden_light(renderer_, "locked", 9));
+  start.rig.lights[1].params.set_param_locked(-1, true);
+  LUM_ASSERT_OK(const CellProblem cells, problem(start));
+  EXPECT_EQ(cells.free_parts(), (std::vector<int>{1}));
+  LUM_ASSERT_OK(CellPoint point, cells.measure(start));
+  const double before = renderer_.work().shades;
+  GaussNewton descent(cells, std::move(point), renderer_.frame().center);
+  LUM_ASSERT_OK([[maybe_unused]] const bool more, descent.iterate());
+  const double shades = (renderer_.work().shades - before) / static_cast<double>(level_.cells.samples.pixels.size());
+  EXPECT_LE(shades, 15.0 + 6.0);  // 18 degrees of freedom without three colours, at most six trials; one light each
+}
+
+TEST_F(GaussNewtonTest, ALightWhoseShadowEveryoneUsesTouchesEveryone) {
+  ParamState start = wanted_;
+  start.rig.lights.push_back(hidden_light(renderer_, "other", 9));
+  start.rig.shadow_light = "spot";
+  LUM_ASSERT_OK(const PictureParts parts, PictureParts::create(renderer_, start, level_.cells.samples));
+  const int position = *light(start).schema().by_role("position");
+  const int color = *light(start).schema().by_role("color");
+  EXPECT_EQ(parts.touched_by(start, {1, position, 0}), (std::vector<int>{1, 2}));
+  EXPECT_EQ(parts.touched_by(start, {1, color, 0}), (std::vector<int>{1}));
+  EXPECT_EQ(parts.touched_by(start, {2, position, 0}), (std::vector<int>{2}));
+  EXPECT_EQ(parts.scaled_by({2, color, 1}), 2);
+}
+
+class TintedTest : public GaussNewtonTest {
+ protected:
+  TintedTest() : GaussNewtonTest(FakeStyle::kTinted) {}
+};
+
+TEST_F(TintedTest, ColoursThatDoNotScaleAreNotTakenForLinear) {
+  LUM_ASSERT_OK(const CellProblem cells, problem(wanted_));
+  EXPECT_EQ(cells.parts().list()[1].color_param, -1);
+  ParamState start = wanted_;
+  light(start).set(*light(start).schema().by_role("color"), 0, 0.2);
+  LUM_ASSERT_OK(CellPoint point, cells.measure(start));
+  const double before = point.cost;
+  GaussNewton descent(cells, std::move(point), renderer_.frame().center);
+  for (bool more = true; more;) {
+    LUM_ASSERT_OK(more, descent.iterate());
+  }
+  EXPECT_LT(descent.point().cost, 0.1 * before);
+}
+
+}  // namespace
+}  // namespace luminist
