@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -22,10 +23,17 @@ Result<int> doc(VerbContext& context) {
   console.result(
       fmt::format("\n## ambient\n\nLight without a place: ambient/PARAMETER.\n\n{}", doc_table(*types.ambient())));
   console.result("\n# Styles\n\nParameters of the style in use are style/PARAMETER.");
+  std::optional<Error> broken;
   for (const std::string& name : style_names(context.roots)) {
-    LUM_TRY(const Style style, load_style(context.roots, name));
-    console.result(fmt::format("\n## {}\n\n{}\n\n{}", style.name, style.doc, doc_table(*style.schema)));
+    const Result<Style> style = load_style(context.roots, name);
+    if (!style) {  // the others can still be read about
+      broken = style.error();
+      console.result(fmt::format("\n## {}\n\n{}", name, style.error().message()));
+      continue;
+    }
+    console.result(fmt::format("\n## {}\n\n{}\n\n{}", style->name, style->doc, doc_table(*style->schema)));
   }
+  if (broken) return *broken;
   return 0;
 }
 

@@ -22,6 +22,11 @@ Result<int> render(const Words& words, VerbContext& context) {
   context.console.warn(diagnostics);
   if (!stage) return std::move(stage).error();
   LUM_TRY(const ParamState state, starting_state(**stage, context.roots, shot, "."));
+  if (state.rig.lights.empty()) {
+    Diagnostics dark;
+    dark.warn(shot.scene, "no lights, so only the dim ambient shows; give --rig, or paint and solve");
+    context.console.warn(dark);
+  }
   LUM_TRY(const Image picture, (*stage)->renderer->render(state));
   LUM_TRY_VOID(write_image(words.output, picture));
   context.console.result(words.output);

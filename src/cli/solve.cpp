@@ -70,6 +70,20 @@ Result<void> free_parameters(Session& session, const Words& words) {
   return {};
 }
 
+/// " name=value" of every parameter that was free, to be read: the rig file has all digits.
+std::string free_values(const ParamBlock& block) {
+  std::string text;
+  for (int param = 0; param < block.schema().size(); ++param) {
+    const ParamSpec& spec = block.schema()[param];
+    bool free = false;
+    for (int dof = 0; dof < spec.dofs(); ++dof) free = free || !block.locked(spec.first_dof + dof);
+    if (!free) continue;
+    text += fmt::format(" {}=", spec.name);
+    for (int c = 0; c < spec.components(); ++c) text += fmt::format("{}{:.4g}", c == 0 ? "" : ",", block.get(param, c));
+  }
+  return text;
+}
+
 void print_report(Console& console, const SolveReport& report, const ParamState& state) {
   if (console.json()) {
     console.result(solve_to_json(report, state).dump());
@@ -79,12 +93,11 @@ void print_report(Console& console, const SolveReport& report, const ParamState&
       fmt::format("{}: error {:.5f}, was {:.5f}; {} pictures compared, {:.3g} render equivalents, {:.1f} s; {}",
                   report.solver, report.epsilon, report.epsilon_start, report.evals, report.render_equivalents,
                   report.seconds, to_string(report.termination)));
-  for (const Light& light : state.rig.lights) {
-    std::string line = light.name + ":";
-    for (int param = 0; param < light.params.schema().size(); ++param) {
-      line += fmt::format(" {}={}", light.params.schema()[param].name, param_to_json(light.params, param).dump());
-    }
-    console.result(line);
+  const std::vector<const ParamBlock*> blocks = state.blocks();
+  const std::vector<std::string> paths = state.block_paths();
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    const std::string found = free_values(*blocks[b]);
+    if (!found.empty()) console.result(paths[b] + ":" + found);
   }
 }
 
@@ -147,8 +160,10 @@ Verb declare_solve(CLI::App& app) {
   declare_shot(app, words->shot);
   CLI::Option* strokes = app.add_option("--paint", words->strokes, "Stroke file: what you want to see");
   app.add_option("--target", words->target, "Picture of what you want to see, .exr or .png")->excludes(strokes);
-  app.add_option("--importance", words->importance,
-                 "How much each pixel of --target counts: importance.exr of a result, or a linear image");
+  app.add_option(
+      "--importance", words->importance,
+      "How much each pixel of --target counts, 0 not at all: importance.exr of a result, or a linear image (the "
+      "importance.png of a result is a view, black where it counts)");
   app.add_option("--add-light", words->new_lights, "Adds so many lights where the paint wants them; locks the others")
       ->check(CLI::Range(0, 16));
   app.add_option("--light-type", words->light.type, "Type of the lights that are added (default: cinematic)");

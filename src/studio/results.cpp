@@ -28,6 +28,7 @@ Result<Results> collect_results(Session& session) {
   results.picture = *picture;
   results.residual = residual_map(results.picture, *target);
   results.rig = rig_to_toml(session.shown().rig);
+  results.style_params = block_to_json(session.shown().style).dump(2) + "\n";
   return results;
 }
 
@@ -43,6 +44,7 @@ Image importance_picture(const Image& importance) {
 Result<void> write_results(const Results& results, const std::filesystem::path& folder) {
   LUM_TRY_VOID(make_folder(folder));
   LUM_TRY_VOID(write_file_atomic(folder / "rig.toml", results.rig));
+  LUM_TRY_VOID(write_file_atomic(folder / "style.json", results.style_params));
   // A few bright pixels must not darken the rest of the map.
   const float white = std::max(quantile(results.residual, 0.995), 1e-6F);
   const Image importance = importance_picture(results.importance);
@@ -78,9 +80,16 @@ Json solve_to_json(const SolveReport& report, const ParamState& state) {
                       {"unlocked", std::move(unlocked)},
                       {"params", block_to_json(light.params)}});
   }
-  return {{"epsilon_start", report.epsilon_start},           {"epsilon", report.epsilon},  {"evals", report.evals},
-          {"render_equivalents", report.render_equivalents}, {"seconds", report.seconds},  {"solver", report.solver},
-          {"termination", to_string(report.termination)},    {"lights", std::move(lights)}};
+  return {{"epsilon_start", report.epsilon_start},
+          {"epsilon", report.epsilon},
+          {"evals", report.evals},
+          {"render_equivalents", report.render_equivalents},
+          {"seconds", report.seconds},
+          {"solver", report.solver},
+          {"termination", to_string(report.termination)},
+          {"lights", std::move(lights)},
+          {"ambient", block_to_json(state.rig.ambient)},
+          {"style", block_to_json(state.style)}};
 }
 
 std::string convergence_lines(const SolveReport& report) {

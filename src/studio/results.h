@@ -14,9 +14,10 @@ namespace luminist {
 struct Results {
   Image picture;
   Image target;
-  Image importance;  ///< 1 channel
-  Image residual;    ///< 1 channel, I |T - R|
-  std::string rig;   ///< TOML
+  Image importance;          ///< 1 channel
+  Image residual;            ///< 1 channel, I |T - R|
+  std::string rig;           ///< TOML
+  std::string style_params;  ///< JSON: {parameter: value}, ready for --set style/PARAMETER=VALUE
   std::optional<SolveReport> report;
 };
 
@@ -25,14 +26,15 @@ struct Results {
 Result<Results> collect_results(Session& session);
 
 /// picture.{exr,png}, target.{exr,png}, importance.{exr,png} (black counts most, as in the paper's figures),
-/// residual.{exr,png} (a heat map), rig.toml, and after a solve convergence.{jsonl,png}. errors kUnwritable, kChild.
+/// residual.{exr,png} (a heat map), rig.toml, style.json, and after a solve convergence.{jsonl,png}.
+/// errors kUnwritable, kChild.
 Result<void> write_results(const Results& results, const std::filesystem::path& folder);
 
 /// Importance as the paper prints it: 1 is black.
 Image importance_picture(const Image& importance);
 
 /// {"epsilon_start", "epsilon", "evals", "render_equivalents", "seconds", "solver", "termination", "lights": [{"name",
-/// "type", "group", "muted", "unlocked", "params"}]}
+/// "type", "group", "muted", "unlocked", "params"}], "ambient": {parameter: value}, "style": {parameter: value}}
 nlohmann::json solve_to_json(const SolveReport& report, const ParamState& state);
 /// One JSON object a line: render_equivalents, evals, seconds, epsilon.
 std::string convergence_lines(const SolveReport& report);
