@@ -61,11 +61,8 @@ Result<void> put_target(Session& session, const Words& words, const AssetRoots& 
 }
 
 Result<void> free_parameters(Session& session, const Words& words) {
-  NewLight light = words.light;
-  for (int i = 0; i < words.new_lights; ++i) {
-    LUM_TRY_VOID(session.add_light(light));
-    light.lock_others = false;  // those that were added before stay free
-  }
+  if (words.new_lights == 1) LUM_TRY_VOID(session.add_light(words.light));
+  if (words.new_lights > 1) LUM_TRY_VOID(session.add_lights(words.new_lights, words.light));
   for (const auto& [pattern, locked] : words.locks) LUM_TRY_VOID(session.set_locked(pattern, locked));
   return {};
 }

@@ -154,7 +154,8 @@ Result<bool> FastSolver::step() {
 
 bool FastSolver::good_enough() const {
   const SolveReport& report = progress_->report();
-  return report.epsilon <= kGoodEnough * report.epsilon_start;
+  const double until = progress_->options().until;
+  return report.epsilon <= (until > 0.0 ? until : kGoodEnough * report.epsilon_start);
 }
 
 Result<void> FastSolver::compare_start() {

@@ -43,12 +43,6 @@ Result<std::vector<StartLight>> estimate_start_lights(int count, const SurfaceBu
 /// of position, color and shape; a position moved for that looks at the hot spot again.
 void apply_start_light(const StartLight& start, Light& light);
 
-/// New lights of one type for a rig, from paint: names that are unused in it, group "painted", values as above.
-/// errors those of estimate_start_lights() and make_light().
-Result<std::vector<Light>> start_lights(int count, const LightTypes& types, const std::string& type,
-                                        const LightRig& rig, const SurfaceBuffer& surface, const Target& target,
-                                        const SceneFrame& frame);
-
 /// [pixels] how much paint adds: the sum of T - b over the channels where the pixel was lightened as said above, else
 /// 0.
 std::vector<float> lightening(const SurfaceBuffer& surface, const Target& target);

@@ -115,20 +115,4 @@ Result<std::vector<StartLight>> estimate_start_lights(int count, const SurfaceBu
   return starts;
 }
 
-Result<std::vector<Light>> start_lights(int count, const LightTypes& types, const std::string& type,
-                                        const LightRig& rig, const SurfaceBuffer& surface, const Target& target,
-                                        const SceneFrame& frame) {
-  LUM_TRY(const std::vector<StartLight> starts, estimate_start_lights(count, surface, target, frame));
-  LightRig named = rig;  // so that each new name is unused by those before
-  std::vector<Light> lights;
-  for (const StartLight& start : starts) {
-    LUM_TRY(Light light, make_light(types, type, named.unused_name("painted"), frame));
-    light.group = "painted";
-    apply_start_light(start, light);
-    named.lights.push_back(light);
-    lights.push_back(std::move(light));
-  }
-  return lights;
-}
-
 }  // namespace luminist

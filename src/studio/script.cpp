@@ -28,7 +28,7 @@ const std::vector<ScriptRunner::Verb>& ScriptRunner::verbs() {
       {"set", {"path", "value", "values"}, &R::set},
       {"lock", {"pattern"}, &R::lock},
       {"unlock", {"pattern"}, &R::lock},
-      {"add_light", {"type", "name", "group", "from_paint", "lock_others"}, &R::add_light},
+      {"add_light", {"type", "name", "group", "from_paint", "lock_others", "count"}, &R::add_light},
       {"remove_light", {"light"}, &R::remove_light},
       {"mute", {"light", "muted"}, &R::mute},
       {"share_shadows", {"light"}, &R::share_shadows},
@@ -126,6 +126,14 @@ Result<void> ScriptRunner::add_light(const Action& action) {
   light.group = group.value_or("");
   light.from_paint = from_paint.value_or(true);
   light.lock_others = lock_others.value_or(true);
+  LUM_TRY(const auto count, action.number("count"));
+  if (count) {
+    if (!(*count >= 1.0 && *count <= 64.0 && *count == std::floor(*count))) {
+      return action.wrong("a whole number from 1 to 64 is wanted", "count");
+    }
+    LUM_TRY_VOID(session_->add_lights(static_cast<int>(*count), light));
+    return {};
+  }
   LUM_TRY_VOID(session_->add_light(light));
   return {};
 }

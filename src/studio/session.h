@@ -72,6 +72,9 @@ class Session {
   /// Locks all other lights unless told otherwise. returns the light's name. errors kNothingToDo without paint that
   /// lightens, kUsage.
   Result<std::string> add_light(const NewLight& wanted);
+  /// Several at once, one for each kind of paint: by place, colour and strength. returns their names, fewer than count
+  /// if there are fewer kinds. errors as above.
+  Result<std::vector<std::string>> add_lights(int count, const NewLight& wanted);
   Result<void> remove_light(const std::string& name);
   Result<void> set_muted(const std::string& name, bool muted);
   /// All lights use that light's shadow map; "" for each its own.

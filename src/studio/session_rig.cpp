@@ -76,6 +76,28 @@ Result<std::string> Session::add_light(const NewLight& wanted) {
   return name;
 }
 
+Result<std::vector<std::string>> Session::add_lights(int count, const NewLight& wanted) {
+  LUM_TRY(const Canvas* canvas, this->canvas());
+  LUM_TRY(const std::vector<StartLight> starts,
+          estimate_start_lights(count, stage_->renderer->surface(), canvas->target(), stage_->frame));
+  ParamState next = state_;
+  for (Light& light : next.rig.lights) {
+    if (wanted.lock_others) light.params.set_param_locked(-1, true);
+  }
+  std::vector<std::string> names;
+  for (const StartLight& start : starts) {
+    names.push_back(next.rig.unused_name(wanted.name));
+    LUM_TRY(Light light, make_light(stage_->types, wanted.type, names.back(), stage_->frame));
+    light.group = wanted.group;
+    apply_start_light(start, light);
+    next.rig.lights.push_back(std::move(light));
+  }
+  const Json action = {{"do", "add_light"},     {"type", wanted.type}, {"name", wanted.name},
+                       {"group", wanted.group}, {"count", count},      {"lock_others", wanted.lock_others}};
+  LUM_TRY_VOID(commit_state(fmt::format("Add {} lights", names.size()), action.dump(), std::move(next)));
+  return names;
+}
+
 Result<void> Session::remove_light(const std::string& name) {
   ParamState next = state_;
   LUM_TRY(const Light* light, find_light(next, name));
