@@ -9,7 +9,7 @@ namespace {
 
 constexpr double kGoodEnough = 0.01;  // of the start's epsilon: nobody sees the rest
 constexpr double kRoundGain = 0.02;   // a round that gains less was idle
-constexpr int kRounds = 8;
+constexpr int kRounds = 12;
 constexpr int kIdleRounds = 2;
 constexpr int kScouts = 2;         // explorations before the first picture...
 constexpr double kClear = 0.15;    // ...unless the middle level is this near to the target, of the start's distance
