@@ -79,7 +79,6 @@ class CellProblem {
   [[nodiscard]] const PictureParts& parts() const { return *parts_; }
   [[nodiscard]] Norm norm() const { return norm_; }
   [[nodiscard]] SceneFrame frame() const { return renderer_->frame(); }
-  void set_norm(Norm norm) { norm_ = norm; }
 
  private:
   CellProblem() = default;

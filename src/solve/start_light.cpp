@@ -45,7 +45,7 @@ struct Sums {
 /// Intensity times direction towards the light; nothing where the equations do not say.
 std::optional<Eigen::Vector3d> solve_channel(const Eigen::Matrix3d& matrix, const Eigen::Vector3d& right_side) {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(matrix);
-  const Eigen::Vector3d values = eigen.eigenvalues();
+  const Eigen::Vector3d& values = eigen.eigenvalues();
   if (!(values(2) > 0.0) || values(2) > kWorstCondition * values(0)) return std::nullopt;
   const Eigen::Vector3d projected = eigen.eigenvectors().transpose() * right_side;
   return eigen.eigenvectors() * projected.cwiseQuotient(values);
