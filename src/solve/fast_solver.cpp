@@ -10,7 +10,7 @@ namespace {
 constexpr double kGoodEnough = 0.01;  // of the start's epsilon: nobody sees the rest
 constexpr double kRoundGain = 0.02;   // a round that gains less was idle
 constexpr int kRounds = 12;
-constexpr int kIdleRounds = 2;
+constexpr int kIdleRounds = 3;     // a whole cycle: around the best, around the start, the simplex
 constexpr int kScouts = 2;         // explorations before the first picture...
 constexpr double kClear = 0.15;    // ...unless the middle level is this near to the target, of the start's distance
 constexpr double kHopeless = 1.2;  // times the cost at home on the middle level: not worth the sharpest
@@ -27,6 +27,7 @@ struct Stage {
   std::size_t keep = 1;  // of its ends, for the next stage
 };
 constexpr std::array<Stage, 4> kStages{{{kScout, 5, 4}, {kSoft, 12, 2}, {kMiddle, 10, 1}, {kSharp, 12, 1}}};
+constexpr std::size_t kLastStage = kStages.size() - 1;
 
 bool cheaper(const CellPoint& a, const CellPoint& b) {
   return a.cost < b.cost;
@@ -197,7 +198,7 @@ Result<void> FastSolver::descend() {
 
 Result<void> FastSolver::end_stage() {
   std::stable_sort(ends_.begin(), ends_.end(), cheaper);
-  if (stage_ + 1 == kStages.size()) {
+  if (stage_ == kLastStage) {
     outcome_ = std::move(ends_.front());
     phase_ = Phase::kCheck;
     return {};
@@ -303,6 +304,10 @@ Result<void> FastSolver::explore() {
   }
   if (explored_ < free_blocks_.size()) return {};
   pool_ = cheapest_distinct(problem, std::move(pool_), kPool, &here);
+  if (pool_.empty() && round_ == 0) {  // no variant shows: what was found without them has not been compared yet
+    begin_descents({scouted_->state}, kLastStage);
+    return {};
+  }
   if (pool_.empty()) {
     begin_round();
     return {};

@@ -173,6 +173,27 @@ TEST(SolveSession, IsNeverWorseThanItsStartOnRandomProblems) {
   }
 }
 
+TEST(SolveSession, ComparesWhatItFoundEvenWhereNoVariantOfAParameterShows) {
+  FakeRenderer renderer(64, 64);
+  ParamState wanted = renderer.empty_state();
+  wanted.rig.lights.push_back(hidden_light(renderer, "key", 3));
+  const int ambient = *wanted.rig.ambient.schema().by_role("color");
+  ParamState start = wanted;
+  start.rig.ambient.set_vec3(ambient, Vec3(0.3F));
+  lock_all(start);
+  start.rig.ambient.set_param_locked(ambient, false);
+  start.rig.lights[0].params.set_param_locked(*start.rig.lights[0].params.schema().by_role("color"), false);
+  Target target = renderer.target_of(wanted, start);
+  std::fill(target.importance.data.begin(), target.importance.data.end(), 1.0F);
+  // Every third column asks for what no light can do, so that the descent stays far from the target.
+  for (std::size_t i = 0; i < target.color.pixels(); i += 3) target.color.set_rgb(i, target.color.rgb(i) + Vec3(0.4F));
+  SolveOptions options{.solver = SolverKind::kFast, .seed = 1};
+  LUM_ASSERT_OK(SolveSession session, SolveSession::create(renderer, start, target, options));
+  const SolveReport report = run(session);
+  EXPECT_GE(report.evals, 2);
+  EXPECT_LT(report.epsilon, 0.8 * report.epsilon_start);
+}
+
 TEST(SolveSession, StoppedHalfWayItKeepsTheBest) {
   FakeRenderer renderer(64, 64);
   const Task task = new_light_task(renderer, 3);
