@@ -1,7 +1,9 @@
 #include "studio/plot.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -49,8 +51,8 @@ Axis work_axis(double most) {
   return axis;
 }
 
-/// Starts and ends at 1, 2 or 5 times a power of ten.
-Axis error_axis(double least, double most) {
+/// Logarithmic; starts and ends at 1, 2 or 5 times a power of ten.
+Axis log_axis(double least, double most) {
   Axis axis;
   axis.logarithmic = true;
   std::vector<double> marks;
@@ -102,6 +104,25 @@ class Plot {
     drawing_.text(kWidth - kRight - text_width(x_name, kTextScale), kHeight - 34, x_name, kTextScale, ink);
   }
 
+  /// Line number `index` of several, and its name in the legend below the title.
+  void draw_line(const PlotCurve& curve, std::size_t index) {
+    static constexpr std::array<std::array<int, 3>, 6> kColors{
+        {{24, 96, 168}, {196, 78, 32}, {36, 130, 70}, {130, 70, 160}, {150, 120, 20}, {90, 90, 95}}};
+    const auto& [red, green, blue] = kColors[index % kColors.size()];
+    const Vec3 color = rgb8(red, green, blue);
+    for (std::size_t i = 1; i < curve.points.size(); ++i) {
+      const PlotCurve::Point& from = curve.points[i - 1];
+      const PlotCurve::Point& to = curve.points[i];
+      drawing_.line(at(from.x, from.y), at(to.x, to.y), 2.5F, color);
+    }
+    const int y = kTop + 10 + static_cast<int>(index) * 22;
+    const int x = kWidth - kRight - 30 - text_width(curve.name, kTextScale);
+    drawing_.text(x, y, curve.name, kTextScale, color);
+    const auto middle = static_cast<float>(y + 7 * kTextScale / 2);
+    drawing_.line({static_cast<float>(kWidth - kRight - 22), middle}, {static_cast<float>(kWidth - kRight - 2), middle},
+                  3.0F, color);
+  }
+
   /// The best so far holds until a better one is found, and to the end of the work.
   void draw_curve(const std::vector<ConvergencePoint>& points, double work) {
     const Vec3 color = rgb8(24, 96, 168);
@@ -138,11 +159,33 @@ Image convergence_plot(const SolveReport& report) {
     if (point.epsilon > 0.0) least = std::min(least, point.epsilon);
     if (std::isfinite(point.epsilon)) most = std::max(most, point.epsilon);
   }
-  Plot plot(work_axis(most_work), error_axis(least, most));
+  Plot plot(work_axis(most_work), log_axis(least, most));
   plot.draw_axes(fmt::format("{} solver: {} pictures compared, {:.3g} render equivalents", report.solver, report.evals,
                              report.render_equivalents),
                  "work in render equivalents", "error, best so far");
   plot.draw_curve(report.convergence, most_work);
+  return plot.take();
+}
+
+Image curve_plot(const std::string& title, const std::string& x_name, const std::string& y_name,
+                 const std::vector<PlotCurve>& curves) {
+  constexpr double kNone = std::numeric_limits<double>::infinity();
+  PlotCurve::Point least{kNone, kNone};
+  PlotCurve::Point most{0.0, 0.0};
+  std::vector<PlotCurve> drawn;
+  for (const PlotCurve& curve : curves) {
+    drawn.push_back({curve.name, {}});
+    for (const PlotCurve::Point& point : curve.points) {
+      if (!(point.x > 0.0 && point.y > 0.0) || !std::isfinite(point.x) || !std::isfinite(point.y)) continue;
+      drawn.back().points.push_back(point);
+      least = {std::min(least.x, point.x), std::min(least.y, point.y)};
+      most = {std::max(most.x, point.x), std::max(most.y, point.y)};
+    }
+  }
+  if (!(most.x > 0.0)) least = most = {1.0, 1.0};
+  Plot plot(log_axis(least.x, most.x), log_axis(least.y, most.y));
+  plot.draw_axes(title, x_name, y_name);
+  for (std::size_t i = 0; i < drawn.size(); ++i) plot.draw_line(drawn[i], i);
   return plot.take();
 }
 

@@ -1,71 +1,93 @@
 // tests/bench/main.cpp -- luminist-bench: measures the solver on real scenes.
 #include <CLI/CLI.hpp>
 #include <cstdio>
+#include <functional>
+#include <memory>
 #include <string>
 
 #include "bench/recover.h"
+#include "bench/table1.h"
 
+namespace luminist {
 namespace {
 
-using luminist::BenchOptions;
-using luminist::BenchReport;
+using Run = std::function<Result<void>(Device&)>;
 
-/// "256x256". returns false if it is no size.
-bool read_size(const std::string& text, int& width, int& height) {
-  int end = 0;
-  return std::sscanf(text.c_str(), "%dx%d%n", &width, &height, &end) == 2 && end == static_cast<int>(text.size()) &&
-         width > 0 && height > 0;
+/// The words that every benchmark has.
+void add_suite(CLI::App& bench, SuiteOptions& options) {
+  bench.add_flag("--json", options.json, "one JSON object a line");
+  bench.add_flag("--verbose", options.verbose, "a line a run on stderr");
+  bench.add_option("--out", options.out, "folder of finished runs and plots; runs found there are not run again")
+      ->capture_default_str();
+  bench.add_flag("--fresh", options.fresh, "forget finished runs, as after a change of the solver");
+  bench.add_option("--max-evals", options.caps.max_evals, "cap of the methods that compare whole pictures")
+      ->capture_default_str();
+  bench.add_option("--max-re", options.caps.max_equivalents, "cap of the fast solver, in render equivalents")
+      ->capture_default_str();
 }
 
-struct Words {
-  BenchOptions options;
-  std::string size = "256x256";
-  std::string simplex_size = "128x128";
-};
-
-void add_recover(CLI::App& app, Words& words) {
-  CLI::App* recover =
-      app.add_subcommand("recover", "a hidden 18-DOF light is asked for by its picture and found again");
-  BenchOptions& options = words.options;
-  recover->add_flag("--json", options.json, "one JSON object a line");
-  recover->add_flag("--verbose", options.verbose, "a line a run on stderr");
-  recover->add_flag("--no-simplex", options.no_simplex, "only the fast solver");
-  recover->add_option("--scene", options.scene, "a folder of meshes/, or a scene file (which gets a floor and a wall)");
-  recover->add_option("--meshes", options.meshes, "a folder: every mesh in it");
-  recover->add_option("--size", words.size, "of the fast solver's picture")->capture_default_str();
-  recover->add_option("--seeds", options.seeds, "hidden lights")->capture_default_str();
-  recover->add_option("--simplex-size", words.simplex_size, "of the simplex's picture: smaller, because it takes long")
-      ->capture_default_str();
-  recover->add_option("--simplex-seeds", options.simplex_seeds, "at most this many for the simplex")
-      ->capture_default_str();
-  recover->add_option("--simplex-evals", options.simplex_evals, "the simplex's cap")->capture_default_str();
+/// The words by which a developer runs a part.
+void add_filters(CLI::App& bench, SuiteOptions& options) {
+  bench.add_option("--scenes", options.scenes, "only these")->delimiter(',');
+  bench.add_option("--rows", options.tasks, "only these tasks")->delimiter(',');
+  bench.add_option("--methods", options.methods, "only these of fast, simplex, nlopt_nelder_mead, nlopt_bobyqa")
+      ->delimiter(',');
+  bench.add_option("--seeds", options.seeds, "at most so many a method");
+  bench.add_option("--size", options.size, "all methods at this size, as 256x256");
 }
 
-int fail(const luminist::Error& error) {
+void add_recover(CLI::App& app, Run& run) {
+  CLI::App* bench = app.add_subcommand("recover", "a hidden 18-DOF light is asked for by its picture and found again");
+  auto options = std::make_shared<RecoverOptions>();
+  auto size = std::make_shared<std::string>(options->size.text());
+  auto simplex_size = std::make_shared<std::string>(options->simplex_size.text());
+  add_suite(*bench, options->suite);
+  bench->add_flag("--no-simplex", options->no_simplex, "only the fast solver");
+  bench->add_option("--scene", options->scene, "a folder of meshes/, or a scene file (which gets a floor and a wall)");
+  bench->add_option("--meshes", options->meshes, "a folder: every mesh in it");
+  bench->add_option("--size", *size, "of the fast solver's picture")->capture_default_str();
+  bench->add_option("--seeds", options->seeds, "hidden lights")->capture_default_str();
+  bench->add_option("--simplex-size", *simplex_size, "of the simplex's picture: smaller, because it takes long")
+      ->capture_default_str();
+  bench->add_option("--simplex-seeds", options->simplex_seeds, "at most this many for the simplex")
+      ->capture_default_str();
+  bench->add_option("--simplex-evals", options->suite.caps.max_evals, "the simplex's cap")->capture_default_str();
+  bench->callback([options, size, simplex_size, &run] {
+    run = [options, size, simplex_size](Device& device) -> Result<void> {
+      LUM_TRY(options->size, parse_size(*size));
+      LUM_TRY(options->simplex_size, parse_size(*simplex_size));
+      return run_recover(device, *options);
+    };
+  });
+}
+
+void add_table1(CLI::App& app, Run& run) {
+  CLI::App* bench = app.add_subcommand("table1", "lights of a rig are moved away and found again (paper, Table I)");
+  auto options = std::make_shared<Table1Options>();
+  add_suite(*bench, options->suite);
+  add_filters(*bench, options->suite);
+  bench->add_option("--perturb", options->perturb, "full: by 10-50 % of every range; small: by a quarter of that")
+      ->capture_default_str();
+  bench->callback([options, &run] { run = [options](Device& device) { return run_table1(device, *options); }; });
+}
+
+int fail(const Error& error) {
   std::fprintf(stderr, "luminist-bench: %s\n", error.message().c_str());
   return static_cast<int>(error.kind);
 }
 
 }  // namespace
+}  // namespace luminist
 
 int main(int argc, char** argv) {
   CLI::App app("Measures the solver: success, work in full-picture render equivalents, time.", "luminist-bench");
   app.require_subcommand(1);
-  Words words;
-  add_recover(app, words);
+  luminist::Run run;
+  luminist::add_table1(app, run);
+  luminist::add_recover(app, run);
   CLI11_PARSE(app, argc, argv);
-  BenchOptions& options = words.options;
-  if (!read_size(words.size, options.width, options.height) ||
-      !read_size(words.simplex_size, options.simplex_width, options.simplex_height)) {
-    return fail({luminist::ErrorKind::kUsage, "a size is two numbers", "", "size", "for example --size 256x256"});
-  }
   auto device = luminist::Device::create_headless();
-  if (!device) return fail(device.error());
-  const auto print = [&](const BenchReport& report) {
-    const std::string line = options.json ? to_json_line(report) : to_table_line(report);
-    std::printf("%s\n", line.c_str());
-    std::fflush(stdout);
-  };
-  const auto done = run_recover(*device, options, print);
-  return done ? 0 : fail(done.error());
+  if (!device) return luminist::fail(device.error());
+  const auto done = run(*device);
+  return done ? 0 : luminist::fail(done.error());
 }

@@ -1,8 +1,6 @@
 #include "bench/recover.h"
 
-#include <cstdio>
-
-#include <fmt/format.h>
+#include <algorithm>
 
 #include "bench/hidden_light.h"
 #include "solve/start_light.h"
@@ -14,70 +12,36 @@ constexpr double kGoal = 0.05;
 constexpr float kUnpainted = 0.1F;  // nu
 
 /// The light of section 5.2 in an otherwise dark rig, all 18 degrees of freedom free.
-Result<ParamState> start_state(const Stage& stage, const ParamState& dark, const HiddenTask& task) {
-  LUM_TRY(Light light, free_cinematic(stage.types, "new", stage.frame));
-  LUM_TRY(const StartLight start, estimate_start_light(stage.renderer->surface(), task.target, stage.frame));
+Result<BenchTask> recovery_task(const BenchStage& stage, std::uint64_t seed) {
+  const ParamState dark = initial_state(stage.stage->types, stage.stage->style, stage.frame());
+  LUM_TRY(HiddenTask hidden, hidden_task(stage.renderer(), stage.stage->types, dark, kUnpainted, seed));
+  LUM_TRY(Light light, free_cinematic(stage.stage->types, "new", stage.frame()));
+  LUM_TRY(const StartLight start, estimate_start_light(stage.renderer().surface(), hidden.target, stage.frame()));
   apply_start_light(start, light);
-  ParamState state = dark;
-  state.rig.lights.push_back(light);
-  return state;
-}
-
-Result<BenchRun> run_one(Stage& stage, SolverKind kind, int max_evals, std::uint64_t seed) {
-  const ParamState dark = initial_state(stage.types, stage.style, stage.frame);
-  LUM_TRY(const HiddenTask task, hidden_task(*stage.renderer, stage.types, dark, kUnpainted, seed));
-  LUM_TRY(const ParamState start, start_state(stage, dark, task));
-  LUM_TRY(const double epsilon_start, stage.renderer->error(start, task.target));
-  SolveOptions options;
-  options.solver = kind;
-  options.seed = seed;
-  options.until = kGoal * epsilon_start;
-  options.max_evals = max_evals;
-  LUM_TRY(SolveSession session, SolveSession::create(*stage.renderer, start, task.target, options));
-  BenchRun run;
-  LUM_TRY(run.report, run_to_end(session));
-  run.success = run.report.epsilon <= kGoal * run.report.epsilon_start;
-  run.capped = run.report.termination == Termination::kEvalLimit;
-  return run;
-}
-
-Result<BenchReport> run_method(Device& device, const BenchScene& scene, const BenchOptions& options, SolverKind kind) {
-  const bool fast = kind == SolverKind::kFast;
-  BenchReport report{"recover",
-                     scene.name,
-                     fast ? options.width : options.simplex_width,
-                     fast ? options.height : options.simplex_height,
-                     fast ? "fast" : "simplex",
-                     1,
-                     18,
-                     {}};
-  LUM_TRY(const std::unique_ptr<Stage> stage, bench_stage(device, scene, report.width, report.height));
-  const int seeds = fast ? options.seeds : std::min(options.seeds, options.simplex_seeds);
-  for (int seed = 1; seed <= seeds; ++seed) {
-    LUM_TRY(const BenchRun run, run_one(*stage, kind, fast ? std::numeric_limits<int>::max() : options.simplex_evals,
-                                        static_cast<std::uint64_t>(seed)));
-    report.runs.push_back(run);
-    if (!options.verbose) continue;
-    const SolveReport& r = run.report;
-    std::fputs(fmt::format("{} {} seed {}: {:.5f} -> {:.5f} ({:.4f}) evals {} RE {:.1f} {:.3f} s {}{}\n", scene.name,
-                           report.method, seed, r.epsilon_start, r.epsilon, r.epsilon / r.epsilon_start, r.evals,
-                           r.render_equivalents, r.seconds, to_string(r.termination), run.success ? "" : "  MISSED")
-                   .c_str(),
-               stderr);
-  }
-  return report;
+  BenchTask task{dark, std::move(hidden.target)};
+  task.start.rig.lights.push_back(light);
+  LUM_TRY(const double epsilon, stage.renderer().error(task.start, task.target));
+  task.goal = kGoal * epsilon;
+  return task;
 }
 
 }  // namespace
 
-Result<void> run_recover(Device& device, const BenchOptions& options,
-                         const std::function<void(const BenchReport&)>& report) {
-  LUM_TRY(const std::vector<BenchScene> scenes, bench_scenes(options));
+Result<void> run_recover(Device& device, const RecoverOptions& options) {
+  LUM_TRY(BenchSuite suite, BenchSuite::create("recover", options.suite, {}, {}));
+  std::vector<BenchScene> scenes{bare_scene(options.scene)};
+  if (!options.meshes.empty()) {
+    LUM_TRY(scenes, scenes_of_folder(options.meshes));
+  }
+  std::vector<MethodPlan> plans{{Method::kFast, options.size, options.seeds}};
+  if (!options.no_simplex) {
+    plans.push_back({Method::kSimplex, options.simplex_size, std::min(options.seeds, options.simplex_seeds)});
+  }
   for (const BenchScene& scene : scenes) {
-    for (const SolverKind kind : {SolverKind::kFast, SolverKind::kSimplex}) {
-      if (kind == SolverKind::kSimplex && options.no_simplex) continue;
-      LUM_TRY(const BenchReport done, run_method(device, scene, options, kind));
-      report(done);
+    for (const MethodPlan& plan : plans) {
+      LUM_TRY(const BenchStage stage, open_bench_stage(device, scene, plan.size.width, plan.size.height));
+      LUM_TRY([[maybe_unused]] const BenchReport report,
+              suite.run(stage, "18", plan, [&](std::uint64_t seed) { return recovery_task(stage, seed); }));
     }
   }
   return {};
