@@ -66,7 +66,9 @@ void add_table1(CLI::App& app, Run& run) {
   auto options = std::make_shared<Table1Options>();
   add_suite(*bench, options->suite);
   add_filters(*bench, options->suite);
-  bench->add_option("--perturb", options->perturb, "full: by 10-50 % of every range; small: by a quarter of that")
+  bench
+      ->add_option("--perturb", options->perturb,
+                   "full: by 10-50 % of every useful range; small: a quarter of that; manifest: of the whole range")
       ->capture_default_str();
   bench->callback([options, &run] { run = [options](Device& device) { return run_table1(device, *options); }; });
 }

@@ -1,6 +1,7 @@
 #include "bench/table1.h"
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <utility>
 #include <vector>
@@ -18,6 +19,7 @@ namespace {
 constexpr double kGoal = 0.05;  // of the start's epsilon: the paper's
 constexpr PictureSize kFastSize{512, 512};
 constexpr PictureSize kBaselineSize{128, 128};
+constexpr PictureSize kProbe{96, 96};  // where useful ranges are measured
 constexpr int kFastSeeds = 20;
 constexpr int kBaselineSeeds = 5;
 constexpr int kFullSizeSeeds = 2;  // of baselines at the fast solver's size, for one row
@@ -46,10 +48,29 @@ std::vector<std::string> row_names() {
   return names;
 }
 
+std::vector<Row> wanted_rows(const BenchSuite& suite) {
+  std::vector<Row> rows;
+  for (Row& row : table_rows()) {
+    if (suite.wants_task(row.name)) rows.push_back(std::move(row));
+  }
+  return rows;
+}
+
+/// Within what and how far the degrees of freedom of a row are moved.
+struct Reach {
+  std::vector<UnitRange> ranges;
+  PerturbReach share;
+};
+
 ParamState with_row_free(ParamState state, const Row& row) {
   LUM_CHECK(row.lights.size() <= state.rig.lights.size(), "the demo rigs have six lights or more");
   for (std::size_t i = 0; i < row.lights.size(); ++i) unlock_roles(state.rig.lights[i], row.lights[i]);
   return state;
+}
+
+std::vector<std::string> free_names(const ParamState& state, const SceneFrame& frame) {
+  const std::vector<const ParamBlock*> blocks = state.blocks();
+  return dof_names(state, UnitMap::create(blocks, frame));
 }
 
 /// How bright a picture is, in the measure of epsilon.
@@ -61,14 +82,14 @@ double mean_length(const Image& picture) {
 
 /// Draws again while nobody could see the difference: a light that shows neither before nor after is no task.
 Result<BenchTask> perturbed_task(const BenchStage& stage, const ParamState& original, const Image& picture,
-                                 const PerturbReach& reach, std::uint64_t seed) {
+                                 const Reach& reach, std::uint64_t seed) {
   constexpr double kNegligible = 0.005;  // of the picture's brightness
   constexpr int kDraws = 1000;
   Random random(seed);
   BenchTask task{original, whole_picture(picture, picture)};
   const double least = kNegligible * mean_length(picture);
   for (int i = 0; i < kDraws; ++i) {
-    task.start = perturbed(original, stage.frame(), reach, random);
+    task.start = perturbed(original, stage.frame(), reach.ranges, reach.share, random);
     LUM_TRY(const double epsilon, stage.renderer().error(task.start, task.target));
     task.goal = kGoal * epsilon;
     if (epsilon > least) return task;
@@ -85,27 +106,62 @@ std::vector<MethodPlan> row_plan(const Row& row) {
   return plan;
 }
 
-void say_dofs(const BenchSuite& suite, const BenchStage& stage, const Row& row) {
-  const ParamState state = with_row_free(stage.state, row);
-  const std::vector<const ParamBlock*> blocks = state.blocks();
-  const std::vector<std::string> names = dof_names(state, UnitMap::create(blocks, stage.frame()));
-  nlohmann::ordered_json line{{"bench", "table1"}, {"kind", "dofs"},       {"scene", stage.scene},
-                              {"task", row.name},  {"dofs", names.size()}, {"names", names}};
-  suite.say(line.dump(), fmt::format("{} row {}: {}", stage.scene, row.name, fmt::join(names, " ")));
+/// Ranges by the names of degrees of freedom, measured on one small picture, so that every size moves lights alike.
+using RangeTable = std::map<std::string, UnitRange>;
+
+/// Those of every degree of freedom that is free in one of the rows.
+Result<RangeTable> measured_ranges(const BenchStage& probe, const std::vector<Row>& rows, const std::string& perturb) {
+  ParamState original = probe.state;
+  for (const Row& row : rows) original = with_row_free(std::move(original), row);
+  const std::vector<std::string> names = free_names(original, probe.frame());
+  std::vector<UnitRange> ranges(names.size());
+  if (perturb != "manifest") {
+    LUM_TRY(ranges, useful_ranges(probe.renderer(), original));
+  }
+  RangeTable table;
+  for (std::size_t k = 0; k < names.size(); ++k) table[names[k]] = ranges[k];
+  return table;
 }
 
+Reach reach_of(const BenchStage& stage, const Row& row, const RangeTable& table, const std::string& perturb) {
+  Reach reach;
+  if (perturb == "small") reach.share = {0.25 * reach.share.least, 0.25 * reach.share.most};
+  const std::vector<std::string> names = free_names(with_row_free(stage.state, row), stage.frame());
+  for (const std::string& name : names) reach.ranges.push_back(table.at(name));
+  return reach;
+}
+
+/// The degrees of freedom of a row and their ranges, in [0,1] of the manifest's: a line a light.
+void say_dofs(const BenchSuite& suite, const BenchStage& stage, const Row& row, const RangeTable& table) {
+  const std::vector<std::string> names = free_names(with_row_free(stage.state, row), stage.frame());
+  nlohmann::ordered_json line{
+      {"bench", "table1"}, {"kind", "dofs"}, {"scene", stage.scene}, {"task", row.name}, {"dofs", names.size()}};
+  std::string text = fmt::format("{} row {}, free and the part of [0,1] they are moved in:", stage.scene, row.name);
+  std::string light;
+  for (const std::string& name : names) {
+    const UnitRange& range = table.at(name);
+    line["names"].push_back(name);
+    line["ranges"].push_back({range.low, range.high});
+    const std::size_t slash = name.rfind('/');
+    if (name.substr(0, slash) != light) text += "\n  " + (light = name.substr(0, slash)) + ":";
+    text += fmt::format(" {} {:.2f}-{:.2f}", name.substr(slash + 1), range.low, range.high);
+  }
+  suite.say(line.dump(), text);
+}
+
+using RowReports = std::vector<std::pair<std::string, BenchReport>>;
+
 /// All rows of one scene at one size.
-Result<void> run_scene(BenchSuite& suite, const BenchStage& stage, const Table1Options& options,
-                       std::vector<std::pair<std::string, BenchReport>>& reports) {
-  const PerturbReach reach = options.perturb == "small" ? small_reach() : full_reach();
+Result<void> run_scene(BenchSuite& suite, const BenchStage& stage, const RangeTable& ranges, const std::string& perturb,
+                       RowReports& reports) {
   LUM_TRY(const Image picture, stage.renderer().render(stage.state));
-  for (const Row& row : table_rows()) {
-    if (!suite.wants_task(row.name)) continue;
+  for (const Row& row : wanted_rows(suite)) {
     const ParamState original = with_row_free(stage.state, row);
+    const Reach reach = reach_of(stage, row, ranges, perturb);
     for (const MethodPlan& plan : suite.narrowed(row_plan(row))) {
       if (plan.size != PictureSize{stage.width, stage.height}) continue;
       const auto make = [&](std::uint64_t seed) { return perturbed_task(stage, original, picture, reach, seed); };
-      LUM_TRY(BenchReport report, suite.run(stage, row.name + " " + options.perturb, plan, make));
+      LUM_TRY(BenchReport report, suite.run(stage, row.name + " " + perturb, plan, make));
       reports.emplace_back(row.name, std::move(report));
     }
   }
@@ -113,7 +169,7 @@ Result<void> run_scene(BenchSuite& suite, const BenchStage& stage, const Table1O
 }
 
 /// For each row what every run of the simplex takes more than the fast solver's.
-void say_speed_ups(const BenchSuite& suite, const std::vector<std::pair<std::string, BenchReport>>& reports) {
+void say_speed_ups(const BenchSuite& suite, const RowReports& reports) {
   for (const auto& [row, fast] : reports) {
     if (fast.key().method != to_word(Method::kFast)) continue;
     for (const auto& [other_row, slow] : reports) {
@@ -123,16 +179,17 @@ void say_speed_ups(const BenchSuite& suite, const std::vector<std::pair<std::str
 }
 
 /// One picture a row, of all methods and sizes.
-Result<void> draw_convergence(const BenchSuite& suite, const std::string& scene,
-                              const std::vector<std::pair<std::string, BenchReport>>& reports) {
+Result<void> draw_convergence(const BenchSuite& suite, const std::string& scene, const std::string& perturb,
+                              const RowReports& reports) {
   for (const Row& row : table_rows()) {
     std::vector<const BenchReport*> of_row;
     for (const auto& [name, report] : reports) {
       if (name == row.name) of_row.push_back(&report);
     }
     if (of_row.empty()) continue;
-    const Image image = convergence_image(fmt::format("Table I, {}: {} degrees of freedom", scene, row.name), of_row);
-    LUM_TRY_VOID(write_image(suite.file(fmt::format("table1_{}_{}.png", scene, row.name)), image));
+    const Image image =
+        convergence_image(fmt::format("Table I, {}, {}: {} degrees of freedom", scene, perturb, row.name), of_row);
+    LUM_TRY_VOID(write_image(suite.file(fmt::format("table1_{}_{}_{}.png", scene, row.name, perturb)), image));
   }
   return {};
 }
@@ -140,8 +197,7 @@ Result<void> draw_convergence(const BenchSuite& suite, const std::string& scene,
 /// The sizes that are left of the plans, each once.
 std::vector<PictureSize> sizes(const BenchSuite& suite) {
   std::vector<PictureSize> result;
-  for (const Row& row : table_rows()) {
-    if (!suite.wants_task(row.name)) continue;
+  for (const Row& row : wanted_rows(suite)) {
     for (const MethodPlan& plan : suite.narrowed(row_plan(row))) {
       if (std::find(result.begin(), result.end(), plan.size) == result.end()) result.push_back(plan.size);
     }
@@ -152,25 +208,23 @@ std::vector<PictureSize> sizes(const BenchSuite& suite) {
 }  // namespace
 
 Result<void> run_table1(Device& device, const Table1Options& options) {
-  if (options.perturb != "full" && options.perturb != "small") {
-    return Error{ErrorKind::kUsage, "lights are moved by their full range or a small part of it", "", "perturb",
-                 "give full or small"};
+  if (options.perturb != "full" && options.perturb != "small" && options.perturb != "manifest") {
+    return Error{ErrorKind::kUsage, "there is no such way of moving lights away", "", "perturb",
+                 "give full, small or manifest"};
   }
   LUM_TRY(BenchSuite suite,
           BenchSuite::create("table1", options.suite, {"still_life", "bust", "creature"}, row_names()));
   for (const std::string& scene : suite.scenes()) {
-    std::vector<std::pair<std::string, BenchReport>> reports;
-    bool named = false;
+    LUM_TRY(const BenchStage probe, open_bench_stage(device, demo_scene(scene), kProbe.width, kProbe.height));
+    LUM_TRY(const RangeTable ranges, measured_ranges(probe, wanted_rows(suite), options.perturb));
+    for (const Row& row : wanted_rows(suite)) say_dofs(suite, probe, row, ranges);
+    RowReports reports;
     for (const PictureSize& size : sizes(suite)) {
       LUM_TRY(const BenchStage stage, open_bench_stage(device, demo_scene(scene), size.width, size.height));
-      for (const Row& row : table_rows()) {
-        if (!named && suite.wants_task(row.name)) say_dofs(suite, stage, row);
-      }
-      named = true;
-      LUM_TRY_VOID(run_scene(suite, stage, options, reports));
+      LUM_TRY_VOID(run_scene(suite, stage, ranges, options.perturb, reports));
     }
     say_speed_ups(suite, reports);
-    LUM_TRY_VOID(draw_convergence(suite, scene, reports));
+    LUM_TRY_VOID(draw_convergence(suite, scene, options.perturb, reports));
   }
   return {};
 }
