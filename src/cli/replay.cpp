@@ -14,7 +14,40 @@ struct Words {
   std::string log;
   std::string output = ".";
   bool json = false;
+  bool live = false;
+  int slice_ms = 12;
+  double live_scale = 1.0;
 };
+
+/// "12 ms"
+std::string in_ms(double seconds) {
+  return fmt::format("{:.0f} ms", 1e3 * seconds);
+}
+std::string in_ms(const char* what, const Latency& latency) {
+  return fmt::format("  {:<22} median {:>7}  95 % {:>7}  most {:>7}", what, in_ms(latency.median), in_ms(latency.p95),
+                     in_ms(latency.most));
+}
+
+void print_live(Console& console, const LiveMeasure& measure) {
+  if (console.json()) {
+    console.result(live_to_json(measure).dump());
+    return;
+  }
+  console.result(fmt::format("{}: {} strokes, {} events, {} frames, {} pictures drawn", measure.name, measure.strokes,
+                             measure.events, measure.frames, measure.pictures));
+  console.result(in_ms("event to picture", measure.event_to_picture));
+  console.result(in_ms("  paint", measure.paint));
+  console.result(in_ms("  new target", measure.retarget));
+  console.result(in_ms("  solve", measure.solve));
+  console.result(in_ms("  picture", measure.picture));
+  const std::string first =
+      measure.first_improvement < 0.0 ? "no improvement" : "improved after " + in_ms(measure.first_improvement);
+  console.result(
+      fmt::format("  after the last event: {}, 95 % of the gain after {}, nothing more after {:.1f} s; "
+                  "error {:.5f}, then {:.5f}, in the end {:.5f}",
+                  first, in_ms(measure.settled_95), measure.settled, measure.epsilon_before, measure.epsilon_event,
+                  measure.epsilon));
+}
 
 Result<int> replay(const Words& words, VerbContext& context) {
   Console& console = context.console;
@@ -31,6 +64,7 @@ Result<int> replay(const Words& words, VerbContext& context) {
     return context.signals.stopped() == 0;
   };
   events.solved = [&](const SolveReport& report, const ParamState& state) {
+    if (words.live && !console.json()) return;  // said with the latencies
     console.result(console.json() ? solve_to_json(report, state).dump()
                                   : fmt::format("{}: error {:.5f}, was {:.5f}; {} pictures compared, {:.1f} s; {}",
                                                 report.solver, report.epsilon, report.epsilon_start, report.evals,
@@ -39,8 +73,11 @@ Result<int> replay(const Words& words, VerbContext& context) {
   events.written = [&](const std::filesystem::path& file) {
     if (!console.json()) console.result(file.string());
   };
+  events.live = [&](const LiveMeasure& measure) { print_live(console, measure); };
+  std::optional<LiveReplayOptions> live;
+  if (words.live) live = LiveReplayOptions{std::chrono::milliseconds(words.slice_ms), words.live_scale};
   const StopSignals::Grace grace(context.signals);
-  auto done = run_script(device, context.roots, path, words.output, events, diagnostics);
+  auto done = run_script(device, context.roots, path, words.output, events, diagnostics, live);
   console.warn(diagnostics);
   if (!done) return std::move(done).error();
   return 0;
@@ -53,9 +90,19 @@ Verb declare_replay(CLI::App& app) {
   app.add_option("LOG", words->log, "Action script (JSON lines), or a project: NAME.lum or its log.jsonl")->required();
   app.add_option("-o,--output", words->output, "Folder for everything that is written (default: here)");
   app.add_flag("--json", words->json, "Prints one object for each solve");
+  CLI::Option* live = app.add_flag("--live", words->live,
+                                   "Paints the strokes before each solve event by event while the lights follow, and "
+                                   "says how long each picture took");
+  app.add_option("--slice-ms", words->slice_ms, "Time for the solver after each event (default: 12)")
+      ->check(CLI::Range(1, 10000))
+      ->needs(live);
+  app.add_option("--live-scale", words->live_scale, "Paints, solves and shows at that share of the shot's size")
+      ->check(CLI::Range(0.05, 1.0))
+      ->needs(live);
   app.footer(
       "Examples:\n"
       "  luminist replay meshes/still_life/figure2/workflow.jsonl -o out/figure2\n"
+      "  luminist replay meshes/still_life/figure2/workflow.jsonl --live -o out/live\n"
       "  luminist replay shot.lum -o out       the last state of a project, exported\n"
       "A line of a script is an action:\n"
       "  {\"do\": \"open\", \"scene\": \"meshes/still_life/still_life.glb\", \"size\": [640, 480]}\n"

@@ -32,6 +32,8 @@ Result<ObjectMask> clip_under(const StrokePoint& point, const SurfaceBuffer& sur
   return mask;
 }
 
+}  // namespace
+
 Result<ObjectMask> clip_mask(const Stroke& stroke, const SurfaceBuffer& surface) {
   const std::string& clip = stroke.brush.clip;
   if (clip.empty()) return ObjectMask{};
@@ -45,8 +47,6 @@ Result<ObjectMask> clip_mask(const Stroke& stroke, const SurfaceBuffer& surface)
                                                                       ? "\"@\" is the object under the first point"
                                                                       : fmt::format("did you mean \"{}\"?", near));
 }
-
-}  // namespace
 
 Canvas::Canvas(const SurfaceBuffer& surface, Image picture, ShadowSource shadow_source)
     : Canvas(surface, std::move(picture), std::move(shadow_source),

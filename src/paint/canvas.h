@@ -4,12 +4,14 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "paint/copy_source.h"
 #include "paint/coverage.h"
 #include "paint/gradient.h"
 #include "paint/importance.h"
+#include "paint/open_stroke.h"
 #include "paint/stroke.h"
 #include "render/surface_buffer.h"
 #include "render/target.h"
@@ -59,6 +61,16 @@ class Canvas {
   /// errors those of a stroke with its index in the field; nothing is changed then.
   Result<void> apply(const StrokeFile& file, const std::string& path);
 
+  /// A stroke whose points still arrive; not a bucket. It begins with the points that it has so far; at any time the
+  /// canvas is, bit for bit, what apply() of the points so far makes of it. Until a gradient's start is known nothing
+  /// is laid. Ends with end_stroke(); other calls that change the canvas wait until then.
+  /// returns the box of the pixels that may have changed. errors as apply(); the canvas is unchanged then.
+  /// cost begin: a copy of the paint; extend: O(pixels under the new points), with a screen gradient under all.
+  Result<PixelBox> begin_stroke(const Stroke& stroke, const std::string& folder);
+  Result<PixelBox> extend_stroke(std::span<const StrokePoint> points);
+  /// errors kBadContent if the gradient found no start; the canvas is as before the stroke then.
+  Result<void> end_stroke();
+
   /// Importance of what is not painted: I = (1 - delta) nu + delta I_p, both in [0,1]. cost O(pixels).
   void set_importance(float nu, float delta);
 
@@ -76,6 +88,8 @@ class Canvas {
   void forget_shadow_pair() { shadow_pair_.reset(); }
 
  private:
+  Result<PixelBox> lay_open(std::span<const StrokePoint> points);
+  void put_back(const PixelBox& box);
   Result<const Image*> source_of(const Brush& brush, const std::string& folder, Image& copied);
   Result<const ShadowPair*> shadow_pair();
   void lay(const Brush& brush, const Coverage& coverage, const ObjectMask& mask, const Gradient& gradient,
@@ -91,6 +105,7 @@ class Canvas {
   ImageReader images_;
   std::shared_ptr<const ShadowPair> shadow_pair_;  ///< shared by copies: it never changes
   CanvasState state_;
+  std::optional<OpenStroke> open_;
 };
 
 }  // namespace luminist

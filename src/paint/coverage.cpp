@@ -91,12 +91,6 @@ PixelBox reach(const Dab& a, const Dab& b, const PixelBox& limits) {
   return box.empty() ? PixelBox{} : box;
 }
 
-PixelBox joined(const PixelBox& a, const PixelBox& b) {
-  if (a.empty()) return b;
-  if (b.empty()) return a;
-  return {std::min(a.x0, b.x0), std::min(a.y0, b.y0), std::max(a.x1, b.x1), std::max(a.y1, b.y1)};
-}
-
 std::vector<Dab> dabs_of(std::span<const StrokePoint> points, float diameter, int height) {
   std::vector<Dab> dabs;
   dabs.reserve(points.size() + 1);
@@ -109,6 +103,12 @@ std::vector<Dab> dabs_of(std::span<const StrokePoint> points, float diameter, in
 }
 
 }  // namespace
+
+PixelBox joined(const PixelBox& a, const PixelBox& b) {
+  if (a.empty()) return b;
+  if (b.empty()) return a;
+  return {std::min(a.x0, b.x0), std::min(a.y0, b.y0), std::max(a.x1, b.x1), std::max(a.y1, b.y1)};
+}
 
 Coverage stroke_coverage(std::span<const StrokePoint> points, float diameter, int width, int height) {
   LUM_CHECK(!points.empty(), "check_stroke() refuses strokes without points");

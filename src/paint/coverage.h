@@ -19,6 +19,9 @@ struct PixelBox {
   [[nodiscard]] int height() const { return y1 - y0; }
 };
 
+/// The least box around both; an empty one adds nothing.
+PixelBox joined(const PixelBox& a, const PixelBox& b);
+
 /// The gaussian's edge: coverage at half a diameter from the dab's centre, e^-2. A pixel counts as painted from here
 /// on: it lies inside the circle that the artist sees as the brush.
 inline constexpr float kPaintEdge = 0.13533528F;

@@ -25,5 +25,7 @@ struct SanitizeReport {
 /// Masks pixels that cannot be compared: colour becomes that of `before` (0 if that is not finite either), importance
 /// 0.
 SanitizeReport sanitize(Target& target);
+/// The same for one pixel. returns whether it was masked.
+bool sanitize_pixel(Target& target, std::size_t pixel);
 
 }  // namespace luminist

@@ -99,15 +99,16 @@ FastSolver::FastSolver(Renderer& renderer, const Target& target, Progress& progr
       start_(progress.best()),
       base_(progress.best()) {}
 
-Result<std::unique_ptr<FastSolver>> FastSolver::create(Renderer& renderer, const Target& target, Progress& progress) {
+Result<std::unique_ptr<FastSolver>> FastSolver::create(Renderer& renderer, const Target& target, Progress& progress,
+                                                       std::shared_ptr<const EdgeMask> edges) {
   std::unique_ptr<FastSolver> solver(new FastSolver(renderer, target, progress));
-  LUM_TRY_VOID(solver->prepare());
+  LUM_TRY_VOID(solver->prepare(std::move(edges)));
   return solver;
 }
 
-Result<void> FastSolver::prepare() {
+Result<void> FastSolver::prepare(std::shared_ptr<const EdgeMask> edges) {
   const ParamState& start = progress_->best();
-  const CellSampler sampler(renderer_->surface(), *target_);
+  const CellSampler sampler(renderer_->surface(), *target_, std::move(edges));
   const int per_cell = renderer_->style().metric.blur > 0.0F ? 4 : 1;  // a blurred metric sees means
   const std::uint64_t seed = progress_->options().seed;
   levels_[kScout] = {sampler.cut(160, per_cell, seed), {0.08F, 0.10F, 0.3F, 1}, 0.015, 0.006, 12};

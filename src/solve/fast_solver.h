@@ -26,8 +26,9 @@ namespace luminist {
 /// The renderer, target and progress must outlive it. thread: the renderer's.
 class FastSolver final : public Solver {
  public:
-  /// errors the renderer's.
-  static Result<std::unique_ptr<FastSolver>> create(Renderer& renderer, const Target& target, Progress& progress);
+  /// edges: as for CellSampler. errors the renderer's.
+  static Result<std::unique_ptr<FastSolver>> create(Renderer& renderer, const Target& target, Progress& progress,
+                                                    std::shared_ptr<const EdgeMask> edges = nullptr);
   Result<bool> step() override;
 
  private:
@@ -35,7 +36,7 @@ class FastSolver final : public Solver {
   struct SampleSimplex;  // a simplex over the parameters that are not solved in closed form
 
   FastSolver(Renderer& renderer, const Target& target, Progress& progress);
-  Result<void> prepare();
+  Result<void> prepare(std::shared_ptr<const EdgeMask> edges);
   Result<void> compare_start();
   Result<void> descend();
   Result<void> check();

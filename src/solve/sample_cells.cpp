@@ -1,7 +1,9 @@
 #include "solve/sample_cells.h"
 
-#include <array>
+#include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 #include "solve/random.h"
 
@@ -36,8 +38,8 @@ double importance_at(const Target& target, std::size_t pixel) {
 
 }  // namespace
 
-std::vector<bool> edge_pixels(const SurfaceBuffer& surface) {
-  std::vector<bool> edge(surface.pixels(), false);
+EdgeMask edge_pixels(const SurfaceBuffer& surface) {
+  EdgeMask edge(surface.pixels(), false);
   const auto mark = [&](std::size_t a, std::size_t b) {
     if (surface.object[a] == 0 && surface.object[b] == 0) return;
     if (differ(surface, a, b)) edge[a] = edge[b] = true;
@@ -62,70 +64,101 @@ CellField SampleCells::average(std::span<const Vec3> values) const {
   return mean;
 }
 
-struct CellSampler::Rectangle {
-  int x0 = 0, y0 = 0, x1 = 0, y1 = 0;  // half open
-};
-
-CellSampler::CellSampler(const SurfaceBuffer& surface, const Target& target)
-    : surface_(&surface), target_(&target), mass_(surface.pixels(), 0.0F), edge_(edge_pixels(surface)) {
+CellSampler::CellSampler(const SurfaceBuffer& surface, const Target& target, std::shared_ptr<const EdgeMask> edges)
+    : surface_(&surface),
+      target_(&target),
+      edges_(edges ? std::move(edges) : std::make_shared<const EdgeMask>(edge_pixels(surface))),
+      change_(surface.pixels(), 0.0F),
+      sums_(static_cast<std::size_t>(surface.width + 1) * static_cast<std::size_t>(surface.height + 1)),
+      rows_(static_cast<std::size_t>(surface.height), 0.0) {
   LUM_CHECK(target.importance.pixels() == surface.pixels(), "a target has the size of the surface it is painted on");
-  std::vector<float> change(surface.pixels(), 0.0F);
-  double change_sum = 0.0;
-  const bool has_before = target.before.pixels() == surface.pixels();
-  for (std::size_t i = 0; i < surface.pixels(); ++i) {
-    const double importance = importance_at(target, i);
-    importance_ += importance;
-    if (surface.object[i] == 0) continue;
-    visible_importance_ += importance;
-    if (has_before) {
-      change[i] = static_cast<float>(importance) * glm::length(target.color.rgb(i) - target.before.rgb(i));
-      change_sum += change[i];
+  LUM_CHECK(edges_->size() == surface.pixels(), "edges and surface are of one shot");
+  update({0, 0, surface.width, surface.height});
+}
+
+void CellSampler::update(const PixelBox& box) {
+  const bool has_before = target_->before.pixels() == surface_->pixels();
+  for (int y = box.y0; y < box.y1 && has_before; ++y) {
+    for (int x = box.x0; x < box.x1; ++x) {
+      const std::size_t i = surface_->index(x, y);
+      change_[i] =
+          static_cast<float>(importance_at(*target_, i)) * glm::length(target_->color.rgb(i) - target_->before.rgb(i));
     }
   }
-  if (visible_importance_ <= 0.0) return;
-  const double change_share = change_sum > 0.0 ? 0.5 : 0.0;
-  for (std::size_t i = 0; i < surface.pixels(); ++i) {
-    if (surface.object[i] == 0) continue;
-    const double plain = importance_at(target, i) / visible_importance_;
-    const double changed = change_sum > 0.0 ? change[i] / change_sum : 0.0;
-    mass_[i] = static_cast<float>((1.0 - change_share) * plain + change_share * changed);
+  if (!box.empty()) sum_rows(box.y0);
+}
+
+void CellSampler::sum_rows(int from) {
+  const auto stride = static_cast<std::size_t>(surface_->width) + 1;
+  for (int y = from; y < surface_->height; ++y) {
+    const std::size_t above = static_cast<std::size_t>(y) * stride;
+    Sum row;
+    double all = 0.0;
+    for (int x = 0; x < surface_->width; ++x) {
+      const std::size_t i = surface_->index(x, y);
+      const double importance = importance_at(*target_, i);
+      all += importance;
+      if (surface_->object[i] != 0) {
+        row.importance += importance;
+        row.change += change_[i];
+      }
+      const auto column = static_cast<std::size_t>(x) + 1;
+      sums_[above + stride + column] = {sums_[above + column].importance + row.importance,
+                                        sums_[above + column].change + row.change};
+    }
+    rows_[static_cast<std::size_t>(y)] = all;
   }
 }
 
-void CellSampler::split(const Rectangle& area, int cells, std::vector<Rectangle>& leaves) const {
-  const int width = area.x1 - area.x0;
-  const int height = area.y1 - area.y0;
-  const bool by_columns = width >= height;
-  std::vector<double> lines(static_cast<std::size_t>(by_columns ? width : height), 0.0);
-  double total = 0.0;
-  for (int y = area.y0; y < area.y1; ++y) {
-    for (int x = area.x0; x < area.x1; ++x) {
-      const double mass = mass_[surface_->index(x, y)];
-      lines[static_cast<std::size_t>(by_columns ? x - area.x0 : y - area.y0)] += mass;
-      total += mass;
-    }
-  }
-  if (total <= 0.0) return;
-  if (cells <= 1 || lines.size() < 2) {
+const CellSampler::Sum& CellSampler::corner(int x, int y) const {
+  return sums_[static_cast<std::size_t>(y) * (static_cast<std::size_t>(surface_->width) + 1) +
+               static_cast<std::size_t>(x)];
+}
+
+CellSampler::Sum CellSampler::sum(const PixelBox& area) const {
+  const auto difference = [&](double Sum::*what) {
+    return (corner(area.x1, area.y1).*what - corner(area.x0, area.y1).*what) -
+           (corner(area.x1, area.y0).*what - corner(area.x0, area.y0).*what);
+  };
+  return {difference(&Sum::importance), difference(&Sum::change)};
+}
+
+double CellSampler::mass(const PixelBox& area) const {
+  const Sum part = sum(area);
+  const Sum& all = sums_.back();
+  const double plain = part.importance / all.importance;
+  return all.change > 0.0 ? 0.5 * plain + 0.5 * part.change / all.change : plain;
+}
+
+void CellSampler::split(const PixelBox& area, int cells, std::vector<PixelBox>& leaves) const {
+  constexpr double kNothing = 1e-9;  // of all mass: what rounding leaves of differences of sums
+  const double total = mass(area);
+  if (total <= kNothing) return;
+  const bool by_columns = area.width() >= area.height();
+  const int lines = by_columns ? area.width() : area.height();
+  if (cells <= 1 || lines < 2) {
     leaves.push_back(area);
     return;
   }
+  PixelBox left = area;
+  int& end = by_columns ? left.x1 : left.y1;
+  const int first = by_columns ? area.x0 : area.y0;
+  const auto up_to = [&](int line) {
+    end = first + line;
+    return mass(left);
+  };
   const int left_cells = cells / 2;
   const double wanted = total * left_cells / cells;
-  double sum = lines[0];
   int cut = 1;  // at least one line on each side
-  while (cut + 1 < static_cast<int>(lines.size()) && sum + 0.5 * lines[static_cast<std::size_t>(cut)] < wanted) {
-    sum += lines[static_cast<std::size_t>(cut++)];
-  }
-  Rectangle left = area;
-  Rectangle right = area;
-  (by_columns ? left.x1 : left.y1) = (by_columns ? area.x0 : area.y0) + cut;
-  (by_columns ? right.x0 : right.y0) = (by_columns ? area.x0 : area.y0) + cut;
+  while (cut + 1 < lines && 0.5 * (up_to(cut) + up_to(cut + 1)) < wanted) ++cut;
+  end = first + cut;
+  PixelBox right = area;
+  (by_columns ? right.x0 : right.y0) = end;
   split(left, left_cells, leaves);
   split(right, cells - left_cells, leaves);
 }
 
-std::vector<std::uint32_t> CellSampler::draw(const Rectangle& area, int count, double offset) const {
+std::vector<std::uint32_t> CellSampler::draw(const PixelBox& area, int count, double offset) const {
   // Systematic sampling along the scan lines of the cell; edges only where there is nothing else.
   for (const bool with_edges : {false, true}) {
     std::vector<std::uint32_t> pixels;
@@ -134,8 +167,9 @@ std::vector<std::uint32_t> CellSampler::draw(const Rectangle& area, int count, d
     for (int y = area.y0; y < area.y1; ++y) {
       for (int x = area.x0; x < area.x1; ++x) {
         const std::size_t pixel = surface_->index(x, y);
-        if (mass_[pixel] <= 0.0F || (!with_edges && edge_[pixel])) continue;
-        sum += importance_at(*target_, pixel);
+        const double importance = importance_at(*target_, pixel);
+        if (importance <= 0.0 || surface_->object[pixel] == 0 || (!with_edges && (*edges_)[pixel])) continue;
+        sum += importance;
         pixels.push_back(static_cast<std::uint32_t>(pixel));
         sums.push_back(sum);
       }
@@ -154,33 +188,49 @@ std::vector<std::uint32_t> CellSampler::draw(const Rectangle& area, int count, d
   return {};
 }
 
+Vec3 CellSampler::target_mean(std::span<const std::uint32_t> pixels) const {
+  Vec3 mean(0.0F);
+  for (const std::uint32_t pixel : pixels) mean += target_->color.rgb(pixel);
+  return mean / static_cast<float>(pixels.size());
+}
+
 SampleCells CellSampler::cut(int cell_count, int per_cell, std::uint64_t seed) const {
-  std::vector<Rectangle> leaves;
+  std::vector<PixelBox> leaves;
   if (!nothing_counts()) split({0, 0, surface_->width, surface_->height}, cell_count, leaves);
   Random random(seed);
   SampleCells cells;
   cells.first.push_back(0);
-  for (const Rectangle& leaf : leaves) {
+  for (const PixelBox& leaf : leaves) {
     const std::vector<std::uint32_t> drawn = draw(leaf, per_cell, random.uniform());
-    double weight = 0.0;
-    for (int y = leaf.y0; y < leaf.y1; ++y) {
-      for (int x = leaf.x0; x < leaf.x1; ++x) {
-        const std::size_t pixel = surface_->index(x, y);
-        if (surface_->object[pixel] != 0) weight += importance_at(*target_, pixel);
-      }
-    }
-    if (drawn.empty() || weight <= 0.0) continue;
-    Vec3 target(0.0F);
-    for (const std::uint32_t pixel : drawn) target += target_->color.rgb(pixel);
-    cells.target.push_back(target / static_cast<float>(drawn.size()));
-    cells.weight.push_back(weight / importance_);
+    if (drawn.empty()) continue;
+    cells.target.emplace_back(0.0F);
+    cells.weight.push_back(0.0);
+    cells.area.push_back(leaf);
+    cells.share.push_back(mass(leaf));
     cells.position.push_back(surface_->position[drawn.front()]);
     cells.normal.push_back(surface_->normal[drawn.front()]);
     cells.samples.pixels.insert(cells.samples.pixels.end(), drawn.begin(), drawn.end());
     cells.first.push_back(static_cast<std::uint32_t>(cells.samples.pixels.size()));
   }
   cells.samples.id = pixel_hash(cells.samples.pixels);
+  refresh(cells);
   return cells;
+}
+
+double CellSampler::refresh(SampleCells& cells) const {
+  if (nothing_counts()) return 1.0;
+  const double importance = std::accumulate(rows_.begin(), rows_.end(), 0.0);
+  double covered = 0.0;
+  double moved = 0.0;
+  for (std::size_t c = 0; c < cells.target.size(); ++c) {
+    const auto samples = std::span(cells.samples.pixels).subspan(cells.first[c], cells.first[c + 1] - cells.first[c]);
+    cells.target[c] = target_mean(samples);
+    cells.weight[c] = std::max(0.0, sum(cells.area[c]).importance) / importance;
+    const double share = mass(cells.area[c]);
+    moved += std::abs(share - cells.share[c]);
+    covered += share;
+  }
+  return 0.5 * (moved + std::max(0.0, 1.0 - covered));
 }
 
 }  // namespace luminist

@@ -16,6 +16,13 @@ using Clock = std::chrono::steady_clock;
 constexpr double kSimplexSize = 0.1;         // of the paper's solver
 constexpr double kBlurredSimplexSize = 0.2;  // for a metric with plateaus
 
+bool nothing_counts(const SurfaceBuffer& surface, const Target& target) {
+  for (std::size_t pixel = 0; pixel < surface.pixels(); ++pixel) {
+    if (surface.object[pixel] != 0 && target.importance.data[pixel] > 0.0F) return false;
+  }
+  return true;
+}
+
 /// "lights/key, style": the blocks whose locks leave nothing to turn.
 std::string locked_blocks(const ParamState& state) {
   std::string names;
@@ -35,12 +42,12 @@ class SolveSession::Impl {
   Impl(Renderer& renderer, ParamState start, Target target, const SolveOptions& options)
       : renderer_(&renderer), target_(std::move(target)), progress_(renderer, std::move(start), options) {}
 
-  Result<void> begin() {
+  Result<void> begin(std::shared_ptr<const EdgeMask> edges) {
     if (progress_.options().solver == SolverKind::kSimplex) {
       use_simplex({.size = kSimplexSize, .restarts = progress_.options().restarts});
       return {};
     }
-    LUM_TRY(solver_, FastSolver::create(*renderer_, target_, progress_));
+    LUM_TRY(solver_, FastSolver::create(*renderer_, target_, progress_, std::move(edges)));
     progress_.name_solver("fast");
     progress_.tally();
     return {};
@@ -92,20 +99,23 @@ SolveSession::SolveSession(SolveSession&&) noexcept = default;
 SolveSession& SolveSession::operator=(SolveSession&&) noexcept = default;
 SolveSession::~SolveSession() = default;
 
+Result<void> check_free(const ParamState& state, const SceneFrame& frame) {
+  const std::vector<const ParamBlock*> blocks = state.blocks();
+  if (UnitMap::create(blocks, frame).dofs() > 0) return {};
+  return Error{ErrorKind::kNothingToDo, "everything is locked", "", locked_blocks(state),
+               "unlock what may change, or add a light"};
+}
+
 Result<SolveSession> SolveSession::create(Renderer& renderer, ParamState start, Target target,
-                                          const SolveOptions& options) {
-  const std::vector<const ParamBlock*> blocks = std::as_const(start).blocks();
-  if (UnitMap::create(blocks, renderer.frame()).dofs() == 0) {
-    return Error{ErrorKind::kNothingToDo, "everything is locked", "", locked_blocks(start),
-                 "unlock what may change, or add a light"};
-  }
+                                          const SolveOptions& options, std::shared_ptr<const EdgeMask> edges) {
+  LUM_TRY_VOID(check_free(start, renderer.frame()));
   sanitize(target);
-  if (CellSampler(renderer.surface(), target).nothing_counts()) {
+  if (nothing_counts(renderer.surface(), target)) {
     return Error{ErrorKind::kNothingToDo, "nothing counts: the importance is zero wherever something is visible", "",
                  "importance", "paint, or give unpainted pixels some weight"};
   }
   auto impl = std::make_unique<Impl>(renderer, std::move(start), std::move(target), options);
-  LUM_TRY_VOID(impl->begin());
+  LUM_TRY_VOID(impl->begin(std::move(edges)));
   return SolveSession(std::move(impl));
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "render/renderer.h"
+#include "solve/sample_cells.h"
 
 namespace luminist {
 
@@ -33,8 +34,8 @@ struct ConvergencePoint {
 };
 
 struct SolveReport {
-  double epsilon_start = 0.0;
-  double epsilon = 0.0;
+  double epsilon_start = std::numeric_limits<double>::infinity();  ///< infinite until the start was compared
+  double epsilon = std::numeric_limits<double>::infinity();
   int evals = 0;                    ///< full pictures compared
   double render_equivalents = 0.0;  ///< all work over that of one full picture of the starting rig
   double seconds = 0.0;
@@ -43,12 +44,16 @@ struct SolveReport {
   std::vector<ConvergencePoint> convergence;
 };
 
+/// errors kNothingToDo if everything is locked (names the locks).
+Result<void> check_free(const ParamState& state, const SceneFrame& frame);
+
 /// thread: the renderer's. The renderer must outlive the session.
 class SolveSession {
  public:
-  /// Turns the unlocked degrees of freedom of start. errors kNothingToDo: everything locked (names the locks), the
-  /// importance is zero everywhere; the renderer's.
-  static Result<SolveSession> create(Renderer& renderer, ParamState start, Target target, const SolveOptions& options);
+  /// Turns the unlocked degrees of freedom of start. edges: edge_pixels() of the renderer's surface, null to have it
+  /// made. errors kNothingToDo: everything locked (names the locks), the importance is zero everywhere; the renderer's.
+  static Result<SolveSession> create(Renderer& renderer, ParamState start, Target target, const SolveOptions& options,
+                                     std::shared_ptr<const EdgeMask> edges = nullptr);
   SolveSession(SolveSession&&) noexcept;
   SolveSession& operator=(SolveSession&&) noexcept;
   ~SolveSession();

@@ -87,6 +87,8 @@ Result<void> ScriptRunner::open(const Action& action) {
   LUM_TRY(const auto wall, action.flag("wall"));
   shot.camera = camera.value_or("");
   if (size) shot.width = size->first, shot.height = size->second;
+  shot.width = std::max(1, static_cast<int>(std::lround(scale_ * shot.width)));
+  shot.height = std::max(1, static_cast<int>(std::lround(scale_ * shot.height)));
   shot.style = style.value_or(shot.style);
   shot.rig = rig.value_or("");
   shot.scene_options = {floor.value_or(false), wall.value_or(false)};
@@ -164,15 +166,20 @@ Result<void> ScriptRunner::style(const Action& action) {
   return session_->restyle(name);
 }
 
-Result<void> ScriptRunner::paint(const Action& action) {
+Result<ScriptStrokes> ScriptRunner::strokes_of(const Action& action) const {
   if (const auto inline_strokes = action.object("strokes")) {
-    LUM_TRY(const StrokeFile strokes, parse_strokes(*inline_strokes, action.where()));
-    return session_->paint(strokes, (folder_ / "strokes").string());
+    LUM_TRY(StrokeFile strokes, parse_strokes(*inline_strokes, action.where()));
+    return ScriptStrokes{std::move(strokes), (folder_ / "strokes").string()};
   }
   LUM_TRY(const std::string name, action.needed_text("strokes"));
-  LUM_TRY(const std::string path, find_input(name, folder_, roots_));
-  LUM_TRY(const StrokeFile strokes, load_strokes(path));
-  return session_->paint(strokes, path);
+  LUM_TRY(std::string path, find_input(name, folder_, roots_));
+  LUM_TRY(StrokeFile strokes, load_strokes(path));
+  return ScriptStrokes{std::move(strokes), std::move(path)};
+}
+
+Result<void> ScriptRunner::paint(const Action& action) {
+  LUM_TRY(const ScriptStrokes given, strokes_of(action));
+  return session_->paint(given.strokes, given.path);
 }
 
 Result<void> ScriptRunner::importance(const Action& action) {

@@ -4,6 +4,7 @@
 #include <functional>
 #include <string>
 
+#include "studio/live_replay.h"
 #include "studio/results.h"
 
 namespace luminist {
@@ -14,6 +15,7 @@ struct ScriptEvents {
   Session::SolveWatch watch;  ///< false: stop the solve and the script
   std::function<void(const SolveReport&, const ParamState&)> solved;
   std::function<void(const std::filesystem::path&)> written;
+  std::function<void(const LiveMeasure&)> live;  ///< a painting was painted live
 };
 
 /// Runs the lines of a script, or brings a recorded project (NAME.lum, or its log.jsonl) to its last state.
@@ -22,9 +24,13 @@ struct ScriptEvents {
 /// style, paint, importance, target, clear_paint, solve, accept, revert, undo, redo, export, contact_sheet, save. Empty
 /// lines and lines that begin with # are skipped. Inputs are looked for beside the script, then below the asset roots;
 /// outputs go below `output`. A project is replayed by its recorded effects and exported to `output`.
+/// live: what is painted for a solve, with nothing between the two but lights that are added, locks, values and
+/// importance, is painted live (studio/live_replay.h); what that found takes the place of the solve. Projects have no
+/// strokes to paint again.
 /// errors those of the actions, at script:line with the field; kCancelled if watch said so, after the best so far was
 /// exported to output/stopped.
 Result<void> run_script(Device& device, const AssetRoots& roots, const std::filesystem::path& path,
-                        const std::filesystem::path& output, const ScriptEvents& events, Diagnostics& diagnostics);
+                        const std::filesystem::path& output, const ScriptEvents& events, Diagnostics& diagnostics,
+                        const std::optional<LiveReplayOptions>& live = {});
 
 }  // namespace luminist

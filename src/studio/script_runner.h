@@ -1,6 +1,8 @@
 #pragma once
 // studio/script_runner.h -- the actions of a script, one function each.
 #include <memory>
+#include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -9,21 +11,35 @@
 
 namespace luminist {
 
+/// Strokes of an action, and the path that stands for their file.
+struct ScriptStrokes {
+  StrokeFile strokes;
+  std::string path;
+};
+
+/// errors kBadContent at the action's line and field.
+Result<SolveOptions> solve_options(const Action& action);
+
 /// Runs actions on one session, which "open" makes.
 class ScriptRunner {
  public:
-  /// folder: where inputs are looked for first; output: where everything is written.
+  /// folder: where inputs are looked for first; output: where everything is written; scale: of every shot's size.
   ScriptRunner(Device& device, const AssetRoots& roots, std::filesystem::path folder, std::filesystem::path output,
-               const ScriptEvents& events, Diagnostics& diagnostics)
+               const ScriptEvents& events, Diagnostics& diagnostics, double scale = 1.0)
       : device_(&device),
         roots_(roots),
         folder_(std::move(folder)),
         output_(std::move(output)),
         events_(events),
-        diagnostics_(&diagnostics) {}
+        diagnostics_(&diagnostics),
+        scale_(scale) {}
 
   /// errors those of the action; kBadContent for an unknown one (nearest name) or an unknown field.
   Result<void> run(const Action& action);
+  /// How many of these actions are one live painting: "paint", what prepares lights for it, "solve". 0: none.
+  static std::size_t live_group(std::span<const Action> actions);
+  /// Runs such a group: the strokes event by event, then the actions before the solve as recorded.
+  Result<void> run_live(std::span<const Action> group, const LiveReplayOptions& options);
   /// Brings a recorded project to its last state and exports it.
   Result<void> replay_project(const std::filesystem::path& folder);
 
@@ -44,6 +60,7 @@ class ScriptRunner {
   Result<void> share_shadows(const Action& action);
   Result<void> load_rig(const Action& action);
   Result<void> style(const Action& action);
+  Result<ScriptStrokes> strokes_of(const Action& action) const;
   Result<void> paint(const Action& action);
   Result<void> importance(const Action& action);
   Result<void> target(const Action& action);
@@ -55,6 +72,7 @@ class ScriptRunner {
   Result<void> write(const Action& action);
   Result<void> sheet(const Action& action);
   Result<void> save(const Action& action);
+  Result<void> export_stopped();
   Result<void> export_to(const std::filesystem::path& folder, const std::string& label);
 
   Device* device_;
@@ -63,6 +81,7 @@ class ScriptRunner {
   std::filesystem::path output_;
   ScriptEvents events_;
   Diagnostics* diagnostics_;
+  double scale_;
   std::unique_ptr<Session> session_;
   std::vector<SheetRow> rows_;  ///< what was exported so far
 };

@@ -15,6 +15,18 @@ namespace fs = std::filesystem;
 
 constexpr std::string_view kLogStart = R"({"hash":")";  // what a project's log begins with
 
+/// An error of an action that does not say where, at the action's line.
+Error placed(Error error, const std::string& line) {
+  if (error.where.empty()) {
+    error.where = line;
+  } else if (error.where != line && !error.where.starts_with(line + ":")) {
+    error.hint += fmt::format("{}in {}", error.hint.empty() ? "" : "; ", line);
+  }
+  return error;
+}
+
+}  // namespace
+
 Result<SolveOptions> solve_options(const Action& action) {
   SolveOptions options;
   LUM_TRY(const auto solver, action.text("solver"));
@@ -43,18 +55,6 @@ Result<SolveOptions> solve_options(const Action& action) {
   return options;
 }
 
-/// An error of an action that does not say where, at the action's line.
-Error placed(Error error, const std::string& line) {
-  if (error.where.empty()) {
-    error.where = line;
-  } else if (error.where != line && !error.where.starts_with(line + ":")) {
-    error.hint += fmt::format("{}in {}", error.hint.empty() ? "" : "; ", line);
-  }
-  return error;
-}
-
-}  // namespace
-
 Result<void> ScriptRunner::solve(const Action& action) {
   using Clock = std::chrono::steady_clock;
   LUM_TRY(const SolveOptions options, solve_options(action));
@@ -66,12 +66,15 @@ Result<void> ScriptRunner::solve(const Action& action) {
     const bool late = seconds && std::chrono::duration<double>(Clock::now() - start).count() > *seconds;
     return !cancelled && !late;
   }));
-  if (cancelled) {
-    LUM_TRY_VOID(export_to(output_ / "stopped", "stopped"));
-    return Error{ErrorKind::kCancelled, "stopped", "", "", "the best so far is in " + (output_ / "stopped").string()};
-  }
+  if (cancelled) return export_stopped();
   if (events_.solved) events_.solved(session_->solved()->report, session_->shown());
   return {};
+}
+
+/// The best so far; the error that ends the script.
+Result<void> ScriptRunner::export_stopped() {
+  LUM_TRY_VOID(export_to(output_ / "stopped", "stopped"));
+  return Error{ErrorKind::kCancelled, "stopped", "", "", "the best so far is in " + (output_ / "stopped").string()};
 }
 
 Result<void> ScriptRunner::write(const Action& action) {
@@ -93,18 +96,11 @@ Result<void> ScriptRunner::replay_project(const fs::path& folder) {
   return export_to(output_, folder.filename().string());
 }
 
-Result<void> run_script(Device& device, const AssetRoots& roots, const fs::path& path, const fs::path& output,
-                        const ScriptEvents& events, Diagnostics& diagnostics) {
-  std::error_code error;
-  const bool is_folder = fs::is_directory(path, error);
-  LUM_TRY(const std::string text, read_file(is_folder ? path / "log.jsonl" : path));
-  LUM_TRY_VOID(make_folder(output));
-  const fs::path folder = is_folder || path.has_parent_path() ? path.parent_path() : fs::path(".");
-  if (is_folder || text.starts_with(kLogStart)) {
-    ScriptRunner runner(device, roots, folder, output, events, diagnostics);
-    return runner.replay_project(is_folder ? path : folder);
-  }
-  ScriptRunner runner(device, roots, folder, output, events, diagnostics);
+namespace {
+
+/// The actions of a script's lines. errors Action's, at their line.
+Result<std::vector<Action>> parse_lines(const std::string& text, const fs::path& path) {
+  std::vector<Action> actions;
   std::size_t start = 0;
   for (int number = 1; start < text.size(); ++number) {
     const std::size_t end = std::min(text.find('\n', start), text.size());
@@ -112,9 +108,37 @@ Result<void> run_script(Device& device, const AssetRoots& roots, const fs::path&
     start = end + 1;
     const std::size_t first = line.find_first_not_of(" \t\r");
     if (first == std::string::npos || line[first] == '#') continue;
-    const std::string where = fmt::format("{}:{}", path.string(), number);
-    LUM_TRY(const Action action, Action::parse(line, where));
-    if (auto done = runner.run(action); !done) return placed(std::move(done).error(), where);
+    LUM_TRY(Action action, Action::parse(line, fmt::format("{}:{}", path.string(), number)));
+    actions.push_back(std::move(action));
+  }
+  return actions;
+}
+
+}  // namespace
+
+Result<void> run_script(Device& device, const AssetRoots& roots, const fs::path& path, const fs::path& output,
+                        const ScriptEvents& events, Diagnostics& diagnostics,
+                        const std::optional<LiveReplayOptions>& live) {
+  std::error_code error;
+  const bool is_folder = fs::is_directory(path, error);
+  LUM_TRY(const std::string text, read_file(is_folder ? path / "log.jsonl" : path));
+  LUM_TRY_VOID(make_folder(output));
+  const fs::path folder = is_folder || path.has_parent_path() ? path.parent_path() : fs::path(".");
+  if (is_folder || text.starts_with(kLogStart)) {
+    if (live) {
+      return Error{ErrorKind::kUsage, "a project keeps what strokes did, not the strokes", path.string(), "--live",
+                   "give an action script"};
+    }
+    ScriptRunner runner(device, roots, folder, output, events, diagnostics);
+    return runner.replay_project(is_folder ? path : folder);
+  }
+  ScriptRunner runner(device, roots, folder, output, events, diagnostics, live ? live->scale : 1.0);
+  LUM_TRY(const std::vector<Action> actions, parse_lines(text, path));
+  for (std::size_t i = 0; i < actions.size();) {
+    const std::size_t group = live ? ScriptRunner::live_group(std::span(actions).subspan(i)) : 0;
+    auto done = group > 0 ? runner.run_live(std::span(actions).subspan(i, group), *live) : runner.run(actions[i]);
+    if (!done) return placed(std::move(done).error(), actions[i].where());
+    i += std::max<std::size_t>(1, group);
   }
   return {};
 }

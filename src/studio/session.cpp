@@ -78,9 +78,8 @@ Result<const Image*> Session::picture() {
 Result<void> Session::commit(const std::string& label, const std::string& action, const Document& next) {
   std::vector<Edit> edits = difference(project_.document(), next);
   if (!edits.empty()) LUM_TRY_VOID(project_.execute({label, action, std::move(edits)}));
-  if (solve_) solved_.reset();
-  solve_.reset();
-  picture_.reset();
+  if (has_proposal()) solved_.reset();
+  drop_proposal();
   return {};
 }
 
@@ -118,10 +117,9 @@ Result<void> Session::reload() {
   }
   const Stage& next = stage ? *stage : *stage_;
   LUM_TRY(ParamState state, read_state(project_.document(), next.types, next.style, next.frame));
-  solve_.reset();
+  drop_proposal();
   solved_.reset();
   canvas_.reset();
-  picture_.reset();
   if (stage) stage_ = std::move(stage);
   shot_ = std::move(shot);
   state_ = std::move(state);

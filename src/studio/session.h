@@ -12,24 +12,10 @@
 #include "project/project.h"
 #include "solve/solve_session.h"
 #include "solve/start_light.h"
+#include "studio/requests.h"
 #include "studio/stage.h"
 
 namespace luminist {
-
-struct NewLight {
-  std::string type = "cinematic";
-  std::string name = "light";  ///< "-2", "-3"... is appended if it is taken
-  std::string group = "";
-  bool from_paint = true;  ///< start where the paint says (paper, section 5.2); else at the type's defaults
-  bool lock_others = true;
-};
-
-/// A solve that ran, and what it was asked for.
-struct Solved {
-  SolveOptions options;
-  SolveReport report;
-  Target target;
-};
 
 /// One shot under work.
 ///
@@ -57,9 +43,12 @@ class Session {
   [[nodiscard]] const Project& project() const { return project_; }
   /// The lights in force, and those to be seen: the proposal's while there is one.
   [[nodiscard]] const ParamState& state() const { return state_; }
-  [[nodiscard]] const ParamState& shown() const { return solve_ ? solve_->best() : state_; }
+  [[nodiscard]] const ParamState& shown() const { return solve_ ? solve_->best() : proposed_ ? *proposed_ : state_; }
   /// The picture of shown(). Valid until the next call. errors the renderer's.
   Result<const Image*> picture();
+  /// What is painted on, as it is now, to go on with beside the session (studio/live_painting.h), which outlives it.
+  /// errors the same.
+  Result<Canvas> canvas_copy();
   /// What is painted. Valid until the next call. errors the renderer's; a tile that is gone.
   Result<const Target*> target();
   [[nodiscard]] bool painted() const { return has_paint(project_.document()); }
@@ -103,7 +92,9 @@ class Session {
   /// Both of the above until there is nothing more to do, or watch says false: asked about every 50 ms.
   using SolveWatch = std::function<bool(const SolveReport&)>;
   Result<void> solve(const SolveOptions& options, const SolveWatch& watch);
-  [[nodiscard]] bool has_proposal() const { return solve_.has_value(); }
+  [[nodiscard]] bool has_proposal() const { return solve_ || proposed_; }
+  /// Lights that were found elsewhere become the proposal; of the rig in force. errors kUsage if they are of another.
+  Result<void> propose(ParamState lights, Solved solved);
   /// The proposal becomes the lights in force, its picture what is painted on. errors kNothingToDo.
   Result<void> accept();
   /// The proposal is dropped. errors kNothingToDo.
@@ -123,12 +114,13 @@ class Session {
   struct Parts;  ///< what a session is made of
   explicit Session(Parts parts);
   Result<Canvas*> canvas();
-  Result<ShadowPair> shadow_pair();
+  Result<ShadowPair> shadow_pair(const ParamState& lights);
   Result<StartLight> start_light();
   Result<void> commit(const std::string& label, const std::string& action, const Document& next);
   Result<void> commit_state(const std::string& label, const std::string& action, ParamState next);
   Result<void> commit_canvas(const std::string& label, const std::string& action, const CanvasState& next);
   Result<void> reload();
+  void drop_proposal();
   Result<void> step_history(bool back);
 
   Device* device_;
@@ -142,6 +134,7 @@ class Session {
   std::optional<Canvas> canvas_;  ///< empty: to be made from the document when it is needed
   std::optional<Image> picture_;  ///< empty: to be rendered when it is needed
   std::optional<SolveSession> solve_;
+  std::optional<ParamState> proposed_;  ///< found elsewhere
   std::optional<Solved> solved_;
 };
 

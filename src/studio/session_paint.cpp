@@ -51,7 +51,7 @@ Image fitted(Image image, const Shot& shot, const char* field, Diagnostics& diag
 Result<Canvas*> Session::canvas() {
   if (canvas_) return &*canvas_;
   LUM_TRY(Image picture, stage_->renderer->render(state_));
-  Canvas canvas(stage_->renderer->surface(), std::move(picture), [this] { return shadow_pair(); });
+  Canvas canvas(stage_->renderer->surface(), std::move(picture), [this] { return shadow_pair(state_); });
   LUM_TRY(CanvasState painted, read_paint(project_.document(), project_.tiles(), canvas.state()));
   canvas.restore(std::move(painted));
   canvas_ = std::move(canvas);
@@ -59,8 +59,8 @@ Result<Canvas*> Session::canvas() {
 }
 
 /// A light is free if the solver may turn anything of it.
-Result<ShadowPair> Session::shadow_pair() {
-  ParamState free_lights_off = state_;
+Result<ShadowPair> Session::shadow_pair(const ParamState& lights) {
+  ParamState free_lights_off = lights;
   for (Light& light : free_lights_off.rig.lights) {
     for (int dof = 0; dof < light.params.schema().dofs(); ++dof) {
       if (!light.params.locked(dof)) light.muted = true;
@@ -68,8 +68,16 @@ Result<ShadowPair> Session::shadow_pair() {
   }
   ShadowPair pair;
   LUM_TRY(pair.free_lights_off, stage_->renderer->render(free_lights_off));
-  LUM_TRY(pair.shadows_off, stage_->renderer->render(state_, RenderOptions{.shadows = false}));
+  LUM_TRY(pair.shadows_off, stage_->renderer->render(lights, RenderOptions{.shadows = false}));
   return pair;
+}
+
+Result<Canvas> Session::canvas_copy() {
+  LUM_TRY(const Canvas* canvas, this->canvas());
+  Canvas copy(stage_->renderer->surface(), canvas->target().before,
+              [this, lights = state_] { return shadow_pair(lights); });
+  copy.restore(canvas->state());
+  return copy;
 }
 
 Result<const Target*> Session::target() {

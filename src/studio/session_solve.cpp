@@ -25,10 +25,28 @@ Result<void> Session::start_solve(const SolveOptions& options) {
   }
   LUM_TRY(const Canvas* canvas, this->canvas());
   LUM_TRY(SolveSession solve, SolveSession::create(*stage_->renderer, state_, canvas->target(), options));
+  drop_proposal();
   solved_ = Solved{options, solve.report(), canvas->target()};
   solve_ = std::move(solve);
-  picture_.reset();
   return {};
+}
+
+Result<void> Session::propose(ParamState lights, Solved solved) {
+  const auto names = [](const ParamState& state) { return state.block_paths(); };
+  if (names(lights) != names(state_)) {
+    return Error{ErrorKind::kUsage, "lights of another rig were proposed", "", "lights",
+                 "propose values for the lights in force"};
+  }
+  drop_proposal();
+  solved_ = std::move(solved);
+  proposed_ = std::move(lights);
+  return {};
+}
+
+void Session::drop_proposal() {
+  solve_.reset();
+  proposed_.reset();
+  picture_.reset();
 }
 
 Result<bool> Session::continue_solve(std::chrono::milliseconds slice) {
@@ -59,8 +77,8 @@ const Solved* Session::solved() {
 }
 
 Result<void> Session::accept() {
-  if (!solve_) return no_proposal();
-  ParamState next = solve_->best();
+  if (!has_proposal()) return no_proposal();
+  ParamState next = shown();
   LUM_TRY(const Canvas* canvas, this->canvas());
   LUM_TRY(Image picture, stage_->renderer->render(next));
   Canvas rebased = *canvas;
@@ -87,10 +105,9 @@ Result<void> Session::accept() {
 }
 
 Result<void> Session::revert() {
-  if (!solve_) return no_proposal();
-  solve_.reset();
+  if (!has_proposal()) return no_proposal();
+  drop_proposal();
   solved_.reset();
-  picture_.reset();
   return {};
 }
 

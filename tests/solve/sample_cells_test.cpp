@@ -85,5 +85,50 @@ TEST_F(SampleCellsTest, LeaveOutWhatDoesNotCount) {
   EXPECT_EQ(CellSampler(renderer_.surface(), target_).cut(64, 4, 1).size(), 0);
 }
 
+/// Paint on a part of the picture, as a stroke leaves it.
+PixelBox paint(Target& target, const PixelBox& box) {
+  for (int y = box.y0; y < box.y1; ++y) {
+    for (int x = box.x0; x < box.x1; ++x) {
+      const std::size_t pixel = target.color.index(x, y);
+      target.importance.data[pixel] = 1.0F;
+      target.color.set_rgb(pixel, target.before.rgb(pixel) + Vec3(0.3F));
+    }
+  }
+  return box;
+}
+
+TEST_F(SampleCellsTest, AfterAnUpdateAreThoseOfASamplerMadeAnew) {
+  for (float& importance : target_.importance.data) importance = 0.1F;
+  CellSampler sampler(renderer_.surface(), target_);
+  for (const PixelBox& box : {PixelBox{10, 20, 40, 35}, PixelBox{0, 60, 96, 96}, PixelBox{50, 0, 60, 96}}) {
+    sampler.update(paint(target_, box));
+    const SampleCells updated = sampler.cut(144, 2, 3);
+    const SampleCells fresh = CellSampler(renderer_.surface(), target_).cut(144, 2, 3);
+    EXPECT_EQ(updated.samples.pixels, fresh.samples.pixels);
+    EXPECT_EQ(updated.target, fresh.target);
+    EXPECT_EQ(updated.weight, fresh.weight);
+  }
+}
+
+TEST_F(SampleCellsTest, RefreshedTheyKeepTheirSamplesAndKnowTheNewTarget) {
+  for (float& importance : target_.importance.data) importance = 0.1F;
+  CellSampler sampler(renderer_.surface(), target_);
+  SampleCells cells = sampler.cut(144, 2, 3);
+  EXPECT_NEAR(sampler.refresh(cells), 0.0, 1e-9);  // rounding of sums
+  const std::vector<std::uint32_t> pixels = cells.samples.pixels;
+  sampler.update(paint(target_, {30, 30, 34, 34}));
+  const double little = sampler.refresh(cells);
+  sampler.update(paint(target_, {30, 30, 80, 60}));
+  const double much = sampler.refresh(cells);
+  EXPECT_EQ(cells.samples.pixels, pixels);
+  std::vector<Vec3> values;
+  for (const std::uint32_t pixel : pixels) values.push_back(target_.color.rgb(pixel));
+  EXPECT_EQ(cells.average(values), cells.target);
+  EXPECT_NEAR(std::accumulate(cells.weight.begin(), cells.weight.end(), 0.0), 1.0, 1e-9);
+  EXPECT_GT(little, 0.0);
+  EXPECT_GT(much, 0.15);  // half of the mass is what paint changes, and that lies in a sixth of the picture
+  EXPECT_LE(much, 1.0);
+}
+
 }  // namespace
 }  // namespace luminist

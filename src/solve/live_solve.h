@@ -1,0 +1,67 @@
+#pragma once
+// solve/live_solve.h -- a solve that follows the brush: the target changes while it runs.
+#include <chrono>
+#include <limits>
+#include <memory>
+
+#include "paint/coverage.h"
+#include "render/renderer.h"
+#include "solve/solve_session.h"
+
+namespace luminist {
+
+struct LiveReport {
+  double epsilon = std::numeric_limits<double>::infinity();  ///< of the picture shown, against the present target
+  int pictures = 0;                                          ///< drawn, the start's too
+  bool following = false;  ///< descending on samples; else the lights are searched for as in any solve
+  bool settled = false;    ///< nothing more is found for the present target
+};
+
+/// Keeps the best lights for a target that is still being painted, and the picture of them.
+///
+/// While the hand moves, a descent on some hundred samples follows: each new target is started on from the lights that
+/// are shown or, if that is nearer, from what was found since. Samples stay where they are until the paint has moved a
+/// seventh of what the cells stand for; the surface's edges are looked for once. When the descent ends the hand rests:
+/// a SolveSession goes on from what is shown, with all that a solve can do, and then one from where the lights began.
+///
+/// What is found is drawn by show() and compared with the picture shown, both in full against the present target; the
+/// nearer one stays. So the picture never gets worse while the paint stands still, at the cost of one picture for each
+/// change and none for a comparison. Steps are deterministic; where they meet the events of a hand is not, so a live
+/// solve proposes and a solve without a clock can be repeated.
+///
+/// thread: the renderer's. The renderer must outlive it.
+class LiveSolve {
+ public:
+  /// Turns the unlocked degrees of freedom of start. options: those of the solve when the hand rests. picture: of the
+  /// start if the caller has it. errors kNothingToDo: everything locked; the renderer's. cost a picture.
+  static Result<LiveSolve> create(Renderer& renderer, ParamState start, const Target& target,
+                                  const SolveOptions& options, Image picture = {});
+  LiveSolve(LiveSolve&&) noexcept;
+  LiveSolve& operator=(LiveSolve&&) noexcept;
+  ~LiveSolve();
+
+  /// The target is another inside the box; of the same size. errors the renderer's. cost O(pixels of the rows from
+  /// there on) and, where cells are cut anew, of all pixels.
+  Result<void> retarget(const Target& target, const PixelBox& changed);
+  /// Other lights to start from (of the same rig, with the same locks), if they are nearer on the samples.
+  void offer(ParamState start);
+
+  /// One bounded piece of work. returns false when the present target has nothing more to gain. errors the renderer's.
+  Result<bool> step();
+  /// Steps until then or the slice is over (at least one step).
+  Result<bool> run_for(std::chrono::milliseconds slice);
+  /// Draws what was found since and shows it if it is nearer. returns whether the picture changed. errors the
+  /// renderer's. cost a picture, or nothing if nothing was found.
+  Result<bool> show();
+
+  [[nodiscard]] const ParamState& best() const;  ///< the lights of the picture shown
+  [[nodiscard]] const Image& picture() const;
+  [[nodiscard]] const LiveReport& report() const;
+
+ private:
+  class Impl;
+  explicit LiveSolve(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace luminist

@@ -1,0 +1,103 @@
+#include "studio/live_painting.h"
+
+#include <utility>
+
+#include "render/metric.h"
+#include "solve/start_light.h"
+
+namespace luminist {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Seconds since a moment, which becomes now.
+double lap(Clock::time_point& since) {
+  const Clock::time_point now = Clock::now();
+  return std::chrono::duration<double>(now - std::exchange(since, now)).count();
+}
+
+}  // namespace
+
+LivePainting::LivePainting(const Stage& stage, Canvas canvas, ParamState start, std::vector<std::string> new_lights,
+                           const Options& options)
+    : stage_(&stage),
+      canvas_(std::move(canvas)),
+      start_(std::move(start)),
+      new_lights_(std::move(new_lights)),
+      options_(options) {}
+
+void LivePainting::set_importance(float nu, float delta) {
+  canvas_.set_importance(nu, delta);
+}
+
+Result<LiveEvent> LivePainting::bucket(const Stroke& stroke, const std::string& folder) {
+  const auto since = Clock::now();
+  return follow(canvas_.apply(stroke, folder), since);
+}
+Result<LiveEvent> LivePainting::begin(const Stroke& stroke, const std::string& folder) {
+  const auto since = Clock::now();
+  return follow(canvas_.begin_stroke(stroke, folder), since);
+}
+Result<LiveEvent> LivePainting::extend(std::span<const StrokePoint> points) {
+  const auto since = Clock::now();
+  return follow(canvas_.extend_stroke(points), since);
+}
+Result<LiveEvent> LivePainting::rest() {
+  return follow(PixelBox{}, Clock::now());
+}
+
+/// Another place and size for new lights, now that more is painted: the nearer start wins.
+Result<void> LivePainting::end() {
+  LUM_TRY_VOID(canvas_.end_stroke());
+  if (!solve_ || new_lights_.empty()) return {};
+  if (auto lights = lights_from_paint()) solve_->offer(std::move(*lights));
+  return {};
+}
+
+Result<LiveEvent> LivePainting::follow(Result<PixelBox> painted, Clock::time_point since) {
+  if (!painted) return std::move(painted).error();
+  LiveEvent event;
+  event.paint = lap(since);
+  const bool began = solve_.has_value();
+  LUM_TRY_VOID(retarget(*painted));
+  event.retarget = lap(since);
+  event.epsilon_before =
+      began ? solve_->report().epsilon : picture_error(canvas_.target().before, canvas_.target(), stage_->style.metric);
+  event.epsilon = event.epsilon_before;
+  if (!solve_) return event;
+  since = Clock::now();
+  LUM_TRY(event.more, solve_->run_for(options_.slice));
+  event.solve = lap(since);
+  LUM_TRY(event.changed, solve_->show());
+  event.picture = lap(since);
+  event.epsilon = solve_->report().epsilon;
+  return event;
+}
+
+Result<void> LivePainting::retarget(const PixelBox& box) {
+  if (solve_) return solve_->retarget(canvas_.target(), box);
+  ParamState start = start_;
+  if (!new_lights_.empty()) {
+    auto lights = lights_from_paint();
+    if (!lights) return {};  // the paint has not said yet
+    start = std::move(*lights);
+  }
+  LUM_TRY(solve_, LiveSolve::create(*stage_->renderer, std::move(start), canvas_.target(), options_.solve));
+  return {};
+}
+
+Result<ParamState> LivePainting::lights_from_paint() const {
+  ParamState lights = start_;
+  const int count = static_cast<int>(new_lights_.size());
+  LUM_TRY(const std::vector<StartLight> starts,
+          estimate_start_lights(count, stage_->renderer->surface(), canvas_.target(), stage_->frame));
+  if (starts.size() < new_lights_.size()) {
+    return Error{ErrorKind::kNothingToDo, "the paint is of fewer kinds than there are new lights", "", "", ""};
+  }
+  for (std::size_t i = 0; i < new_lights_.size(); ++i) {
+    if (Light* light = lights.rig.find(new_lights_[i])) apply_start_light(starts[i], *light);
+  }
+  return lights;
+}
+
+}  // namespace luminist

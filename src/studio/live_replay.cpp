@@ -1,0 +1,235 @@
+#include "studio/live_replay.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <utility>
+
+#include <nlohmann/json.hpp>
+
+#include "render/metric.h"
+
+namespace luminist {
+namespace {
+
+constexpr double kEventsPerSecond = 60.0;
+constexpr int kPointsPerEvent = 2;
+constexpr double kHandSpeed = 1.0;  // picture heights a second
+constexpr double kPause = 0.25;     // seconds between strokes
+constexpr double kVisible = 0.01;   // of epsilon: an improvement
+
+/// What the hand sends at once.
+struct HandEvent {
+  double arrival = 0.0;  ///< seconds since the hand began
+  std::size_t stroke = 0;
+  bool begins = false;
+  std::vector<StrokePoint> points;
+};
+
+/// The polyline with points as close as a tablet reports them; recorded points stay.
+std::vector<StrokePoint> tablet_points(const std::vector<StrokePoint>& points) {
+  constexpr double kSpacing = kHandSpeed / (kEventsPerSecond * kPointsPerEvent);
+  std::vector<StrokePoint> result(1, points.front());
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const StrokePoint& a = points[i - 1];
+    const StrokePoint& b = points[i];
+    const int steps = std::max(1, static_cast<int>(std::ceil(std::hypot(b.x - a.x, b.y - a.y) / kSpacing)));
+    for (int s = 1; s < steps; ++s) {
+      const float t = static_cast<float>(s) / static_cast<float>(steps);
+      result.push_back({a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), a.pressure + t * (b.pressure - a.pressure)});
+    }
+    result.push_back(b);
+  }
+  return result;
+}
+
+std::vector<HandEvent> hand_events(const StrokeFile& file) {
+  std::vector<HandEvent> events;
+  double clock = 0.0;
+  for (std::size_t s = 0; s < file.strokes.size(); ++s) {
+    const Stroke& stroke = file.strokes[s];
+    const std::vector<StrokePoint> points = stroke.brush.bucket ? stroke.points : tablet_points(stroke.points);
+    const std::size_t step = stroke.brush.bucket ? points.size() + 1 : kPointsPerEvent;
+    std::size_t next = 0;
+    do {
+      const std::size_t end = std::min(points.size(), next + step);
+      HandEvent event{clock, s, next == 0, {}};
+      event.points.assign(points.begin() + static_cast<std::ptrdiff_t>(next),
+                          points.begin() + static_cast<std::ptrdiff_t>(end));
+      events.push_back(std::move(event));
+      next = end;
+      clock += 1.0 / kEventsPerSecond;
+    } while (next < points.size());
+    clock += kPause;
+  }
+  return events;
+}
+
+/// Runs the events through the loop of a window.
+class Hand {
+ public:
+  Hand(LivePainting& painting, const StrokeFile& file, const std::string& path)
+      : painting_(&painting),
+        file_(&file),
+        folder_(std::filesystem::path(path).parent_path().string()),
+        events_(hand_events(file)) {}
+
+  Result<void> paint(const std::function<bool()>& watch) {
+    while (next_ < events_.size() && watch()) {
+      LUM_TRY_VOID(wait());
+      LUM_TRY_VOID(frame());
+    }
+    return {};
+  }
+
+  [[nodiscard]] int events() const { return static_cast<int>(events_.size()); }
+  [[nodiscard]] int frames() const { return static_cast<int>(frames_.size()); }
+  [[nodiscard]] double since_last() const { return clock_ - events_.back().arrival; }
+  [[nodiscard]] const LiveEvent& last_frame() const { return frames_.back(); }
+  [[nodiscard]] const std::vector<double>& latencies() const { return latencies_; }
+  [[nodiscard]] Latency of(double LiveEvent::*part) const {
+    std::vector<double> times;
+    for (const LiveEvent& frame : frames_) times.push_back(frame.*part);
+    return latency_of(std::move(times));
+  }
+
+ private:
+  /// Until the next event the hand rests; a frame of rest that has begun is finished.
+  Result<void> wait() {
+    bool more = painting_->has_lights();
+    const double arrival = events_[next_].arrival;
+    if (!events_[next_].begins) more = false;  // inside a stroke the time between events is the window's
+    while (more && clock_ < arrival) {
+      LUM_TRY(const LiveEvent rest, painting_->rest());
+      clock_ += rest.total();
+      more = rest.more;
+    }
+    clock_ = std::max(clock_, arrival);
+    return {};
+  }
+
+  /// Takes the events of one stroke that have arrived.
+  Result<void> frame() {
+    const std::size_t first = next_;
+    HandEvent together = events_[next_++];
+    while (next_ < events_.size() && !events_[next_].begins && events_[next_].arrival <= clock_) {
+      const std::vector<StrokePoint>& points = events_[next_++].points;
+      together.points.insert(together.points.end(), points.begin(), points.end());
+    }
+    const Stroke& recorded = file_->strokes[together.stroke];
+    LiveEvent event;
+    if (recorded.brush.bucket) {
+      LUM_TRY(event, painting_->bucket(recorded, folder_));
+    } else if (together.begins) {
+      LUM_TRY(event, painting_->begin({recorded.brush, together.points}, folder_));
+    } else {
+      LUM_TRY(event, painting_->extend(together.points));
+    }
+    clock_ += event.total();
+    for (std::size_t i = first; i < next_; ++i) latencies_.push_back(clock_ - events_[i].arrival);
+    frames_.push_back(event);
+    const bool lifted = next_ == events_.size() || events_[next_].begins;
+    if (lifted && !recorded.brush.bucket) LUM_TRY_VOID(painting_->end());
+    return {};
+  }
+
+  LivePainting* painting_;
+  const StrokeFile* file_;
+  std::string folder_;
+  std::vector<HandEvent> events_;
+  std::size_t next_ = 0;
+  double clock_ = 0.0;
+  std::vector<LiveEvent> frames_;
+  std::vector<double> latencies_;
+};
+
+/// A moment after the last event.
+struct Moment {
+  double seconds = 0.0;
+  double epsilon = 0.0;
+};
+
+/// From the answer to the last event until nothing more is found.
+Result<std::vector<Moment>> settle(LivePainting& painting, const Hand& hand, const std::function<bool()>& watch) {
+  std::vector<Moment> moments{{hand.since_last(), hand.last_frame().epsilon}};
+  for (bool more = true; more && watch();) {
+    LUM_TRY(const LiveEvent rest, painting.rest());
+    moments.push_back({moments.back().seconds + rest.total(), rest.epsilon});
+    more = rest.more;
+  }
+  return moments;
+}
+
+/// The first moment at most that far from the target; -1 if there is none.
+double reached(const std::vector<Moment>& moments, double epsilon) {
+  for (const Moment& moment : moments) {
+    if (moment.epsilon <= epsilon) return moment.seconds;
+  }
+  return -1.0;
+}
+
+nlohmann::json to_json(const Latency& latency) {
+  return {{"median", latency.median}, {"p95", latency.p95}, {"max", latency.most}};
+}
+
+}  // namespace
+
+Latency latency_of(std::vector<double> seconds) {
+  if (seconds.empty()) return {};
+  std::sort(seconds.begin(), seconds.end());
+  const auto at = [&](double share) {
+    return seconds[static_cast<std::size_t>(std::ceil(share * static_cast<double>(seconds.size()))) - 1];
+  };
+  return {at(0.5), at(0.95), seconds.back()};
+}
+
+Result<LiveMeasure> paint_live(LivePainting& painting, const StrokeFile& strokes, const std::string& path,
+                               const std::function<bool()>& watch) {
+  painting.set_importance(strokes.nu, strokes.delta);
+  Hand hand(painting, strokes, path);
+  LUM_TRY_VOID(hand.paint(watch));
+  if (!painting.has_lights()) {
+    return Error{ErrorKind::kNothingToDo, "no stroke says where the new light begins", path, "strokes",
+                 "paint light that is not there yet"};
+  }
+  LUM_TRY(const std::vector<Moment> moments, settle(painting, hand, watch));
+  LiveMeasure measure;
+  measure.name = std::filesystem::path(path).filename().string();
+  measure.strokes = static_cast<int>(strokes.strokes.size());
+  measure.events = hand.events();
+  measure.frames = hand.frames();
+  measure.event_to_picture = latency_of(hand.latencies());
+  measure.paint = hand.of(&LiveEvent::paint);
+  measure.retarget = hand.of(&LiveEvent::retarget);
+  measure.solve = hand.of(&LiveEvent::solve);
+  measure.picture = hand.of(&LiveEvent::picture);
+  measure.epsilon_before = hand.last_frame().epsilon_before;
+  measure.epsilon_event = moments.front().epsilon;
+  measure.epsilon = moments.back().epsilon;
+  measure.first_improvement = reached(moments, (1.0 - kVisible) * measure.epsilon_before);
+  measure.settled_95 = reached(moments, measure.epsilon + 0.05 * (measure.epsilon_before - measure.epsilon));
+  measure.settled = moments.back().seconds;
+  measure.pictures = painting.pictures();
+  return measure;
+}
+
+nlohmann::json live_to_json(const LiveMeasure& measure) {
+  return {{"strokes_of", measure.name},
+          {"strokes", measure.strokes},
+          {"events", measure.events},
+          {"frames", measure.frames},
+          {"event_to_picture", to_json(measure.event_to_picture)},
+          {"paint", to_json(measure.paint)},
+          {"retarget", to_json(measure.retarget)},
+          {"solve", to_json(measure.solve)},
+          {"picture", to_json(measure.picture)},
+          {"first_improvement", measure.first_improvement},
+          {"settled_95", measure.settled_95},
+          {"settled", measure.settled},
+          {"epsilon_before", measure.epsilon_before},
+          {"epsilon_event", measure.epsilon_event},
+          {"epsilon", measure.epsilon},
+          {"pictures", measure.pictures}};
+}
+
+}  // namespace luminist
