@@ -98,6 +98,17 @@ void print_report(Console& console, const SolveReport& report, const ParamState&
   }
 }
 
+/// What the solve found, also where an error ended it: the error is the result then.
+Result<void> write_proposal(Session& session, const std::string& folder, Result<void> solved) {
+  if (!solved && (!session.has_proposal() || session.solved()->report.evals == 0)) return solved;
+  auto results = collect_results(session);
+  auto written = results ? write_results(*results, folder) : Result<void>(std::move(results).error());
+  if (solved) return written;
+  Error error = std::move(solved).error();
+  if (written) error.hint += fmt::format("{}the best so far is in {}", error.hint.empty() ? "" : "; ", folder);
+  return error;
+}
+
 Result<int> solve(const Words& words, VerbContext& context) {
   using Clock = std::chrono::steady_clock;
   LUM_TRY_VOID(check_words(words));
@@ -106,24 +117,32 @@ Result<int> solve(const Words& words, VerbContext& context) {
   LUM_TRY(Device device, Device::create_headless());
   Console& console = context.console;
   Diagnostics diagnostics;
-  LUM_TRY(const auto session, Session::open(device, context.roots, shot, ".", diagnostics));
-  LUM_TRY_VOID(put_target(*session, words, context.roots));
+  auto opened = Session::open(device, context.roots, shot, ".", diagnostics);
+  auto prepared = opened ? put_target(**opened, words, context.roots) : Result<void>(opened.error());
   console.warn(diagnostics);
+  LUM_TRY_VOID(std::move(prepared));
+  const std::unique_ptr<Session> session = std::move(*opened);
   LUM_TRY_VOID(free_parameters(*session, words));
   const StopSignals::Grace grace(context.signals);
   const auto start = Clock::now();
-  LUM_TRY_VOID(session->solve(words.options, [&](const SolveReport& report) {
+  auto solved = session->solve(words.options, [&](const SolveReport& report) {
     console.progress(report);
     const bool late = words.seconds && std::chrono::duration<double>(Clock::now() - start).count() >= *words.seconds;
     return !late && context.signals.stopped() == 0;
-  }));
-  LUM_TRY(const Results results, collect_results(*session));
-  LUM_TRY_VOID(write_results(results, words.output));
+  });
+  LUM_TRY_VOID(write_proposal(*session, words.output, std::move(solved)));
   const SolveReport& report = session->solved()->report;
   print_report(console, report, session->shown());
   if (!console.json()) console.result(words.output);
   if (context.signals.stopped() != 0) return 128 + context.signals.stopped();
   return words.until && report.epsilon > *words.until ? 1 : 0;
+}
+
+/// CLI::PositiveNumber lets "nan" and "inf" through.
+CLI::Validator finite_number() {
+  return {
+      [](const std::string& text) { return parse_number(text) ? "" : fmt::format("\"{}\" is no finite number", text); },
+      ""};
 }
 
 /// --lock and --unlock as they were mixed: "--lock '*' --unlock lights/key/color" frees that colour only.
@@ -142,12 +161,14 @@ void declare_solver(CLI::App& app, Words& words) {
   app.add_option("--solver", words.solver, "auto, fast or simplex")->check(CLI::IsMember({"auto", "fast", "simplex"}));
   app.add_option("--seed", words.options.seed, "Of the random restarts (default: 1)");
   CLI::Option* seconds = app.add_option("--seconds", words.seconds, "Stops after that time; the best so far is written")
-                             ->check(CLI::PositiveNumber);
+                             ->check(CLI::PositiveNumber)
+                             ->check(finite_number());
   app.add_option("--evals", words.options.max_evals, "Compares at most so many full pictures")
       ->check(CLI::PositiveNumber)
       ->excludes(seconds);
   app.add_option("--until", words.until, "Stops at that error; status 1 if it is not reached")
-      ->check(CLI::NonNegativeNumber);
+      ->check(CLI::NonNegativeNumber)
+      ->check(finite_number());
 }
 
 }  // namespace

@@ -138,6 +138,30 @@ Result<void> set_path(ParamState& state, std::string_view assignment) {
                nearest_hint(path, param_paths(state, false), "write a path as lights/NAME/color or style/NAME")};
 }
 
+std::string range_note(const ParamState& state, std::string_view path, const SceneFrame& frame) {
+  const std::size_t slash = path.rfind('/');
+  if (slash == std::string_view::npos) return "";
+  const std::vector<std::string> prefixes = state.block_paths();
+  const auto block = std::find(prefixes.begin(), prefixes.end(), path.substr(0, slash));
+  if (block == prefixes.end()) return "";
+  const ParamBlock& params = *state.blocks()[static_cast<std::size_t>(block - prefixes.begin())];
+  const std::optional<int> param = params.schema().find(path.substr(slash + 1));
+  if (!param) return "";
+  const ParamSpec& spec = params.schema()[*param];
+  if (spec.type == ParamType::kDirection || spec.range_min.empty()) return "";
+  for (int c = 0; c < spec.components(); ++c) {
+    const auto component = static_cast<std::size_t>(c);
+    const double low = spec.stored(c, spec.range_min[component], frame);
+    const double high = spec.stored(c, spec.range_max[component], frame);
+    const double value = params.get(*param, c);
+    const double slack = 1e-6 * (std::abs(low) + std::abs(high));  // stored as floats
+    if (value >= low - slack && value <= high + slack) continue;
+    return fmt::format("{:.6g} is outside the range {:.6g} to {:.6g}; a solve brings it back if it is unlocked", value,
+                       low, high);
+  }
+  return "";
+}
+
 Result<int> set_locked(ParamState& state, std::string_view pattern, bool locked) {
   int count = 0;
   const std::vector<ParamBlock*> blocks = state.blocks();

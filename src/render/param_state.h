@@ -34,6 +34,10 @@ ParamState initial_state(const LightTypes& types, const Style& style, const Scen
 /// errors kUsage: no '=', unknown path (with the nearest), bad value.
 Result<void> set_path(ParamState& state, std::string_view assignment);
 
+/// "20 is outside the range 0 to 1": what is said of a parameter outside of its range; "" inside, for an unknown path
+/// and where there is no range. Values out of range work as long as nobody solves for them.
+std::string range_note(const ParamState& state, std::string_view path, const SceneFrame& frame);
+
 /// Locks or unlocks what matches a pattern: "lights/key/color", "lights/*/position", "style/*", "*", or a group as
 /// "group:fill/color"; a component as "lights/key/position.y". '*' stands for any run of characters.
 /// returns the number of degrees of freedom that matched. errors kUsage if none did (with the nearest path).

@@ -65,7 +65,7 @@ Result<void> ScriptRunner::run_live(std::span<const Action> group, const LiveRep
           }));
   const SolveReport report = report_of(measure);
   LUM_TRY(const Target* target, session_->target());
-  LUM_TRY_VOID(session_->propose(painting.best(), {how.solve, report, *target}));
+  session_->propose(painting.best(), {how.solve, report, *target, "Accept a live solve"});
   if (stopped) return export_stopped();
   if (events_.live) events_.live(measure);
   if (events_.solved) events_.solved(report, session_->shown());

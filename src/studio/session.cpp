@@ -36,6 +36,7 @@ Result<std::unique_ptr<Session>> Session::open(Device& device, const AssetRoots&
                                                const std::filesystem::path& folder, Diagnostics& diagnostics) {
   LUM_TRY(auto stage, open_stage(device, roots, shot, folder, diagnostics));
   LUM_TRY(ParamState state, starting_state(*stage, roots, shot, folder));
+  warn_of_ranges(state, shot.set, stage->frame, diagnostics);
   Shot portable = shot;
   LUM_TRY(const std::string scene, find_input(shot.scene, folder, roots));
   portable.scene = portable_path(scene, roots);

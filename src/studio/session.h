@@ -10,12 +10,19 @@
 #include "paint/canvas.h"
 #include "project/paint_document.h"
 #include "project/project.h"
-#include "solve/solve_session.h"
 #include "solve/start_light.h"
-#include "studio/requests.h"
+#include "studio/solved.h"
 #include "studio/stage.h"
 
 namespace luminist {
+
+struct NewLight {
+  std::string type = "cinematic";
+  std::string name = "light";  ///< "-2", "-3"... is appended if it is taken
+  std::string group = "";
+  bool from_paint = true;  ///< start where the paint says (paper, section 5.2); else at the type's defaults
+  bool lock_others = true;
+};
 
 /// One shot under work.
 ///
@@ -93,8 +100,8 @@ class Session {
   using SolveWatch = std::function<bool(const SolveReport&)>;
   Result<void> solve(const SolveOptions& options, const SolveWatch& watch);
   [[nodiscard]] bool has_proposal() const { return solve_ || proposed_; }
-  /// Lights that were found elsewhere become the proposal; of the rig in force. errors kUsage if they are of another.
-  Result<void> propose(ParamState lights, Solved solved);
+  /// Lights that were found elsewhere become the proposal.
+  void propose(ParamState lights, Solved solved);
   /// The proposal becomes the lights in force, its picture what is painted on. errors kNothingToDo.
   Result<void> accept();
   /// The proposal is dropped. errors kNothingToDo.

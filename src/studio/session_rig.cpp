@@ -28,6 +28,7 @@ Result<Light*> find_light(ParamState& state, const std::string& name) {
 Result<void> Session::set(const std::vector<std::string>& assignments) {
   ParamState next = state_;
   for (const std::string& assignment : assignments) LUM_TRY_VOID(set_path(next, assignment));
+  warn_of_ranges(next, assignments, stage_->frame, *diagnostics_);
   const std::string label =
       assignments.size() == 1 ? "Set " + assignments.front() : fmt::format("Set {} parameters", assignments.size());
   return commit_state(label, Json{{"do", "set"}, {"values", assignments}}.dump(), std::move(next));

@@ -26,21 +26,15 @@ Result<void> Session::start_solve(const SolveOptions& options) {
   LUM_TRY(const Canvas* canvas, this->canvas());
   LUM_TRY(SolveSession solve, SolveSession::create(*stage_->renderer, state_, canvas->target(), options));
   drop_proposal();
-  solved_ = Solved{options, solve.report(), canvas->target()};
+  solved_ = Solved{options, solve.report(), canvas->target(), Solved{}.label};
   solve_ = std::move(solve);
   return {};
 }
 
-Result<void> Session::propose(ParamState lights, Solved solved) {
-  const auto names = [](const ParamState& state) { return state.block_paths(); };
-  if (names(lights) != names(state_)) {
-    return Error{ErrorKind::kUsage, "lights of another rig were proposed", "", "lights",
-                 "propose values for the lights in force"};
-  }
+void Session::propose(ParamState lights, Solved solved) {
   drop_proposal();
   solved_ = std::move(solved);
   proposed_ = std::move(lights);
-  return {};
 }
 
 void Session::drop_proposal() {
@@ -95,7 +89,8 @@ Result<void> Session::accept() {
                        {"epsilon_start", report.epsilon_start},
                        {"epsilon", report.epsilon},
                        {"termination", to_string(report.termination)}};
-  const std::string label = fmt::format("Accept a solve: error {:.4g} to {:.4g}", report.epsilon_start, report.epsilon);
+  const std::string label =
+      fmt::format("{}: error {:.4g} to {:.4g}", accepted.label, report.epsilon_start, report.epsilon);
   LUM_TRY_VOID(commit(label, action.dump(), document));
   solved_ = std::move(accepted);
   state_ = std::move(next);

@@ -64,4 +64,13 @@ Result<ParamState> starting_state(const Stage& stage, const AssetRoots& roots, c
   return state;
 }
 
+void warn_of_ranges(const ParamState& state, const std::vector<std::string>& assignments, const SceneFrame& frame,
+                    Diagnostics& diagnostics) {
+  for (const std::string& assignment : assignments) {
+    const std::string path = assignment.substr(0, assignment.find('='));
+    const std::string note = range_note(state, path, frame);
+    if (!note.empty()) diagnostics.warn(path, note);
+  }
+}
+
 }  // namespace luminist

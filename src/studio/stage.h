@@ -34,4 +34,8 @@ Result<std::unique_ptr<Stage>> open_stage(Device& device, const AssetRoots& root
 Result<ParamState> starting_state(const Stage& stage, const AssetRoots& roots, const Shot& shot,
                                   const std::filesystem::path& folder);
 
+/// Warns of values that assignments put outside of their ranges.
+void warn_of_ranges(const ParamState& state, const std::vector<std::string>& assignments, const SceneFrame& frame,
+                    Diagnostics& diagnostics);
+
 }  // namespace luminist

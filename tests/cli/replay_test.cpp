@@ -149,5 +149,32 @@ reason = "the same machine draws the same bits; the numbers allow for half float
   EXPECT_TRUE(exists("page/ball.reference.png"));
 }
 
+TEST_F(CliTest, ReplaysStrokesLiveAndSaysHowLongThePicturesTook) {
+  write("script.jsonl", kScript);
+  const Outcome outcome = luminist("replay script.jsonl --live --slice-ms 5 --json -o out");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const auto live = nlohmann::json::parse(outcome.out.substr(0, outcome.out.find('\n')), nullptr, false);
+  ASSERT_TRUE(live.is_object()) << outcome.out;
+  EXPECT_EQ(live["strokes_of"], "light.json");
+  EXPECT_GT(live["events"].get<int>(), 5);
+  EXPECT_LE(live["frames"].get<int>(), live["events"].get<int>());
+  for (const char* part : {"event_to_picture", "paint", "retarget", "solve", "picture"}) {
+    EXPECT_LE(live[part]["median"].get<double>(), live[part]["p95"].get<double>()) << part;
+    EXPECT_LE(live[part]["p95"].get<double>(), live[part]["max"].get<double>()) << part;
+  }
+  EXPECT_LE(live["epsilon"].get<double>(), live["epsilon_event"].get<double>());
+  EXPECT_TRUE(exists("out/step1/picture.exr"));  // the rest of the script goes on with what was found
+  EXPECT_TRUE(exists("out/ball.lum/log.jsonl"));
+}
+
+TEST_F(CliTest, RefusesToPaintAProjectLive) {
+  write("script.jsonl", kScript);
+  ASSERT_EQ(luminist("replay script.jsonl -o out").status, 0);
+  const Outcome outcome = luminist("replay out/ball.lum --live -o again");
+  expect_error(outcome, 2);
+  EXPECT_NE(outcome.err.find("action script"), std::string::npos) << outcome.err;
+  expect_error(luminist("replay script.jsonl --slice-ms 12 -o out"), 2);  // without --live it says nothing
+}
+
 }  // namespace
 }  // namespace luminist

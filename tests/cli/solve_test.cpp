@@ -91,6 +91,24 @@ TEST_F(CliTest, RefusesWordsThatContradictEachOther) {
       luminist("solve ball.obj --size 64x48 --rig rig.toml --paint light.json --unlock lights/kye/color -o out"), 2);
 }
 
+TEST_F(CliTest, RefusesTimesAndGoalsThatAreNoNumbers) {
+  for (const char* words : {"--seconds nan", "--seconds inf", "--until nan", "--until -nan", "--seconds -1"}) {
+    const Outcome outcome = luminist(std::string("solve ball.obj --paint light.json --add-light 1 -o out ") + words);
+    expect_error(outcome, 2);
+    EXPECT_NE(outcome.err.find(std::string(words).substr(0, 7)), std::string::npos) << outcome.err;
+  }
+}
+
+TEST_F(CliTest, WarnsOfValuesOutsideTheirRangeAlsoWhereItFailsThen) {
+  const std::string words = "solve ball.obj --size 64x48 --rig rig.toml --set lights/key/shadow_density=20 --evals 2 ";
+  const Outcome outcome = luminist(words + "--paint light.json -o out");
+  EXPECT_NE(outcome.err.find("warning lights/key/shadow_density: 20 is outside the range 0 to 1"), std::string::npos)
+      << outcome.err;
+  const Outcome failed = luminist(words + "--paint missing.json -o out");
+  EXPECT_EQ(failed.status, 4) << failed.err;
+  EXPECT_NE(failed.err.find("20 is outside"), std::string::npos) << failed.err;
+}
+
 TEST_F(CliTest, NamesTheFieldOfABrokenStroke) {
   write("broken.json", "{\"strokes\": [\n{\"colour\": [1, 1, 1], \"points\": [[0, 0]]}]}");
   const Outcome outcome = luminist("solve ball.obj --size 64x48 --paint broken.json --add-light 1 -o out");
