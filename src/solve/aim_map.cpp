@@ -35,6 +35,13 @@ Vec3 rotate_between(const Vec3& a, const Vec3& b, const Vec3& v) {
   return v + glm::cross(axis, v) + glm::cross(axis, glm::cross(axis, v)) / (1.0F + cosine);
 }
 
+ParamState in_range(const ParamState& state, const SceneFrame& frame, const Vec3& focus) {
+  const std::vector<const ParamBlock*> blocks = state.blocks();
+  if (penalty(units_of(state, frame).to_unit(blocks)) <= 0.0) return state;
+  const AimMap map(state, frame, focus);
+  return map.at(map.origin());
+}
+
 AimMap::AimMap(const ParamState& state, const SceneFrame& frame, const Vec3& focus)
     : frame_(frame), base_(state), units_(units_of(state, frame)) {
   const std::vector<const ParamBlock*> blocks = state.blocks();

@@ -161,9 +161,11 @@ bool FastSolver::good_enough() const {
 }
 
 Result<void> FastSolver::compare_start() {
-  const ParamState start = progress_->best();
-  LUM_TRY(const double epsilon, objective_.evaluate(objective_.unit(start)));
-  progress_->record(start, epsilon);
+  const ParamState given = progress_->best();
+  LUM_TRY(const double epsilon, objective_.evaluate(objective_.unit(given)));
+  progress_->record(given, epsilon);
+  const ParamState start = in_range(given, renderer_->frame(), focus_);
+  start_ = start;
   LUM_TRY(incumbent_, problems_[kSharp].measure(start));
   LUM_TRY(const CellPoint middle, problems_[kMiddle].measure(start));
   middle_start_ = middle.cost;
