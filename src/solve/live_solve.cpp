@@ -47,11 +47,12 @@ double penalty_of(const ParamState& state, const SceneFrame& frame) {
 
 class LiveSolve::Impl {
  public:
-  Impl(Renderer& renderer, ParamState start, const Target& target, const SolveOptions& options)
+  Impl(Renderer& renderer, ParamState start, const Target& target, const SolveOptions& options,
+       std::shared_ptr<const EdgeMask> edges)
       : renderer_(&renderer),
         options_(options),
         target_(clean(target)),
-        edges_(std::make_shared<const EdgeMask>(edge_pixels(renderer.surface()))),
+        edges_(edges ? std::move(edges) : std::make_shared<const EdgeMask>(edge_pixels(renderer.surface()))),
         sampler_(renderer.surface(), target_, edges_),
         first_(start),
         best_(std::move(start)) {}
@@ -272,10 +273,10 @@ LiveSolve& LiveSolve::operator=(LiveSolve&&) noexcept = default;
 LiveSolve::~LiveSolve() = default;
 
 Result<LiveSolve> LiveSolve::create(Renderer& renderer, ParamState start, const Target& target,
-                                    const SolveOptions& options, Image picture) {
+                                    const SolveOptions& options, Known known) {
   LUM_TRY_VOID(check_free(start, renderer.frame()));
-  auto impl = std::make_unique<Impl>(renderer, std::move(start), target, options);
-  LUM_TRY_VOID(impl->begin(std::move(picture)));
+  auto impl = std::make_unique<Impl>(renderer, std::move(start), target, options, std::move(known.edges));
+  LUM_TRY_VOID(impl->begin(std::move(known.picture)));
   return LiveSolve(std::move(impl));
 }
 

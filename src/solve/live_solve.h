@@ -3,6 +3,7 @@
 #include <chrono>
 #include <limits>
 #include <memory>
+#include <utility>
 
 #include "paint/coverage.h"
 #include "render/renderer.h"
@@ -32,10 +33,19 @@ struct LiveReport {
 /// thread: the renderer's. The renderer must outlive it.
 class LiveSolve {
  public:
-  /// Turns the unlocked degrees of freedom of start. options: those of the solve when the hand rests. picture: of the
-  /// start if the caller has it. errors kNothingToDo: everything locked; the renderer's. cost a picture.
+  /// What the caller may have already.
+  struct Known {
+    Image picture;                          ///< of the start
+    std::shared_ptr<const EdgeMask> edges;  ///< edge_pixels() of the renderer's surface
+  };
+  /// Turns the unlocked degrees of freedom of start. options: those of the solve when the hand rests.
+  /// errors kNothingToDo: everything locked; the renderer's. cost a picture.
   static Result<LiveSolve> create(Renderer& renderer, ParamState start, const Target& target,
-                                  const SolveOptions& options, Image picture = {});
+                                  const SolveOptions& options, Known known);
+  static Result<LiveSolve> create(Renderer& renderer, ParamState start, const Target& target,
+                                  const SolveOptions& options) {
+    return create(renderer, std::move(start), target, options, Known{});
+  }
   LiveSolve(LiveSolve&&) noexcept;
   LiveSolve& operator=(LiveSolve&&) noexcept;
   ~LiveSolve();

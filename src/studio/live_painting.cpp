@@ -82,7 +82,8 @@ Result<void> LivePainting::retarget(const PixelBox& box) {
     if (!lights) return {};  // the paint has not said yet
     start = std::move(*lights);
   }
-  LUM_TRY(solve_, LiveSolve::create(*stage_->renderer, std::move(start), canvas_.target(), options_.solve));
+  LUM_TRY(solve_, LiveSolve::create(*stage_->renderer, std::move(start), canvas_.target(), options_.solve,
+                                    {.edges = stage_->edges}));
   return {};
 }
 

@@ -24,7 +24,8 @@ Result<void> Session::start_solve(const SolveOptions& options) {
     return Error{ErrorKind::kNothingToDo, "nothing is painted", "", "", "paint the light that you want to see"};
   }
   LUM_TRY(const Canvas* canvas, this->canvas());
-  LUM_TRY(SolveSession solve, SolveSession::create(*stage_->renderer, state_, canvas->target(), options));
+  LUM_TRY(SolveSession solve,
+          SolveSession::create(*stage_->renderer, state_, canvas->target(), options, stage_->edges));
   drop_proposal();
   solved_ = Solved{options, solve.report(), canvas->target(), Solved{}.label};
   solve_ = std::move(solve);

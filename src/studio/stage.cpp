@@ -47,6 +47,7 @@ Result<std::unique_ptr<Stage>> open_stage(Device& device, const AssetRoots& root
   for (const Camera& each : scene.cameras) stage->camera_names.push_back(each.name);
   LUM_TRY(stage->renderer,
           RasterRenderer::create(device, scene, camera, stage->types, stage->style, roots, shot.width, shot.height));
+  stage->edges = std::make_shared<const EdgeMask>(edge_pixels(stage->renderer->surface()));
   stage->scene_lights = std::move(scene.lights);
   return stage;
 }

@@ -8,6 +8,7 @@
 #include "raster/raster_renderer.h"
 #include "rig/light_rig.h"
 #include "rig/light_type.h"
+#include "solve/sample_cells.h"
 #include "studio/shot.h"
 #include "style/style.h"
 
@@ -21,6 +22,7 @@ struct Stage {
   std::vector<std::string> camera_names;
   std::vector<PunctualLight> scene_lights;
   std::unique_ptr<RasterRenderer> renderer;
+  std::shared_ptr<const EdgeMask> edges;  ///< of the renderer's surface, for every solve on it
 };
 
 /// device outlives the stage. Paths of the shot are looked for below folder, then below the roots.

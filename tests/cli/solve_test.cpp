@@ -50,6 +50,14 @@ TEST_F(CliTest, TheSameSeedGivesTheSameBits) {
   EXPECT_EQ(read("one/rig.toml"), read("two/rig.toml"));
 }
 
+TEST_F(CliTest, GivesTheSameBitsOnAnyNumberOfThreads) {
+  // Software GL takes its number of threads from LP_NUM_THREADS, the rest of the program from the cores it may use.
+  const std::string words = "\"$LUMINIST\" " + std::string(kSolve) + "--seed 7 -o ";
+  ASSERT_EQ(shell("LP_NUM_THREADS=1 taskset -c 0 " + words + "one", folder_.path()).status, 0);
+  ASSERT_EQ(shell("LP_NUM_THREADS=5 " + words + "many", folder_.path()).status, 0);
+  EXPECT_EQ(read("one/rig.toml"), read("many/rig.toml"));
+}
+
 TEST_F(CliTest, MatchesAPictureAsTarget) {
   ASSERT_EQ(luminist("render ball.obj --size 64x48 --rig rig.toml --set lights/key/color=0.2,0.5,0.9 -o t.exr").status,
             0);
