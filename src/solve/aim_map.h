@@ -41,7 +41,8 @@ class AimMap {
   std::vector<AimedLight> aimed_;
 };
 
-/// The state with free values that are out of their ranges moved to the nearest end; the state itself if there are none.
+/// The state with free values that are out of their ranges moved to the nearest end; the state itself if there are
+/// none.
 ParamState in_range(const ParamState& state, const SceneFrame& frame, const Vec3& focus);
 
 /// A light whose distance from what it shines on changes keeps its footprint there: free half sizes and edges (role
