@@ -9,6 +9,8 @@
 #include <fmt/ranges.h>
 
 #include "base/files.h"
+#include "bench/convergence.h"
+#include "image_io/image_io.h"
 
 namespace luminist {
 namespace {
@@ -42,6 +44,14 @@ Result<PictureSize> parse_size(const std::string& text) {
   const bool read = std::sscanf(text.c_str(), "%dx%d%n", &size.width, &size.height, &end) == 2;
   if (read && end == static_cast<int>(text.size()) && size.width > 0 && size.height > 0) return size;
   return Error{ErrorKind::kUsage, fmt::format("\"{}\" is no size", text), "", "size", "write it as 512x512"};
+}
+
+std::vector<PictureSize> sizes_of(const std::vector<MethodPlan>& plans) {
+  std::vector<PictureSize> sizes;
+  for (const MethodPlan& plan : plans) {
+    if (std::find(sizes.begin(), sizes.end(), plan.size) == sizes.end()) sizes.push_back(plan.size);
+  }
+  return sizes;
 }
 
 Result<BenchSuite> BenchSuite::create(std::string bench, const SuiteOptions& options, std::vector<std::string> scenes,
@@ -83,31 +93,47 @@ std::string BenchSuite::file(const std::string& name) const {
   return (std::filesystem::path(options_.out) / name).string();
 }
 
+std::string BenchSuite::prefix(const std::string& scene) const {
+  return bench_ + "_" + scene;
+}
+
 Result<BenchReport> BenchSuite::run(const BenchStage& stage, const std::string& task, const MethodPlan& plan,
                                     const MakeTask& make) {
   BenchReport report;
   for (int seed = 1; seed <= plan.seeds; ++seed) {
-    const BenchKey key{bench_,
-                       stage.scene,
-                       task,
-                       to_word(plan.method),
-                       stage.width,
-                       stage.height,
-                       options_.caps.text(plan.method),
-                       static_cast<std::uint64_t>(seed)};
-    const auto solve = [&]() -> Result<BenchRun> {
-      LUM_TRY(const BenchTask made, make(key.seed));
-      LUM_TRY(const double picture, time_evaluation(stage.renderer(), made));
-      LUM_TRY(BenchRun done, run_method(stage.renderer(), made, plan.method, options_.caps, key.seed));
-      done.evaluation_seconds = picture;
-      return done;
-    };
-    LUM_TRY(const BenchRun run, store_.find_or_make(key, solve));
-    if (options_.verbose) std::fputs((to_text(run) + "\n").c_str(), stderr);
-    report.runs.push_back(run);
+    LUM_TRY(BenchRun run, solve(stage, task, plan.method, static_cast<std::uint64_t>(seed), make));
+    follow(run);
+    report.runs.push_back(std::move(run));
   }
-  say(to_json_line(report), to_table_line(report));
+  say(report);
   return report;
+}
+
+Result<BenchRun> BenchSuite::solve(const BenchStage& stage, const std::string& task, Method method, std::uint64_t seed,
+                                   const MakeTask& make) {
+  const auto run = [&]() -> Result<BenchRun> {
+    LUM_TRY(const BenchTask made, make(seed));
+    LUM_TRY(const double picture, time_evaluation(stage.renderer(), made));
+    LUM_TRY(BenchRun done, run_method(stage.renderer(), made, method, options_.caps, seed));
+    done.evaluation_seconds = picture;
+    return done;
+  };
+  return find_or_make(stage, task, to_word(method), options_.caps.text(method), seed, run);
+}
+
+Result<BenchRun> BenchSuite::find_or_make(const BenchStage& stage, const std::string& task, const std::string& method,
+                                          const std::string& caps, std::uint64_t seed,
+                                          const std::function<Result<BenchRun>()>& make) {
+  const BenchKey key{bench_, stage.scene, task, method, stage.width, stage.height, caps, seed};
+  return store_.find_or_make(key, make);
+}
+
+void BenchSuite::follow(const BenchRun& run) const {
+  if (options_.verbose) std::fputs((to_text(run) + "\n").c_str(), stderr);
+}
+
+void BenchSuite::say(const BenchReport& report) const {
+  say(to_json_line(report), to_table_line(report));
 }
 
 void BenchSuite::say(const std::string& json, const std::string& text) const {
@@ -115,9 +141,23 @@ void BenchSuite::say(const std::string& json, const std::string& text) const {
   std::fflush(stdout);
 }
 
-void BenchSuite::say_speed_up(const BenchReport& slow, const BenchReport& fast) const {
-  const SpeedUp ratio = speed_up(slow, fast);
-  say(to_json_line(slow, fast, ratio), to_table_line(slow, fast, ratio));
+void BenchSuite::say_speed_ups(const std::vector<BenchReport>& reports) const {
+  for (const BenchReport& fast : reports) {
+    if (fast.key().method != to_word(Method::kFast)) continue;
+    for (const BenchReport& slow : reports) {
+      if (slow.key().method != to_word(Method::kSimplex)) continue;
+      const SpeedUp ratio = speed_up(slow, fast);
+      say(to_json_line(slow, fast, ratio), to_table_line(slow, fast, ratio));
+    }
+  }
+}
+
+Result<void> BenchSuite::draw(const std::string& scene, const std::string& task,
+                              const std::vector<BenchReport>& reports) const {
+  if (reports.empty()) return {};
+  std::string name = fmt::format("{}_{}.png", prefix(scene), task);
+  std::replace(name.begin(), name.end(), ' ', '_');
+  return write_image(file(name), convergence_image(fmt::format("{}: {}, {}", bench_, scene, task), reports));
 }
 
 }  // namespace luminist

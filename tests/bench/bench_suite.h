@@ -41,6 +41,9 @@ struct MethodPlan {
   int seeds = 0;
 };
 
+/// The sizes of plans, each once, in their order.
+std::vector<PictureSize> sizes_of(const std::vector<MethodPlan>& plans);
+
 class BenchSuite {
  public:
   /// scenes, tasks: what the benchmark has. errors kUsage for a scene, task, method or size that there is not, with the
@@ -53,17 +56,32 @@ class BenchSuite {
   /// What is left of a benchmark's own plan after the user's choice of methods, seeds and size.
   [[nodiscard]] std::vector<MethodPlan> narrowed(std::vector<MethodPlan> plan) const;
   [[nodiscard]] const SuiteOptions& options() const { return options_; }
-  [[nodiscard]] std::string file(const std::string& name) const;  ///< below the output folder
+  [[nodiscard]] std::string file(const std::string& name) const;     ///< below the output folder
+  [[nodiscard]] std::string prefix(const std::string& scene) const;  ///< "<bench>_<scene>", of files
 
   /// Seeds 1 to plan.seeds: stored runs are not run again. task names what make gives, down to every option that
   /// changes it. The report is said. errors of make and of the renderer.
   using MakeTask = std::function<Result<BenchTask>(std::uint64_t seed)>;
   Result<BenchReport> run(const BenchStage& stage, const std::string& task, const MethodPlan& plan,
                           const MakeTask& make);
+  /// One of these runs; nothing is said.
+  Result<BenchRun> solve(const BenchStage& stage, const std::string& task, Method method, std::uint64_t seed,
+                         const MakeTask& make);
+  /// A run of any other kind: the stored one of that method, caps and seed, or what make gives. errors make's.
+  Result<BenchRun> find_or_make(const BenchStage& stage, const std::string& task, const std::string& method,
+                                const std::string& caps, std::uint64_t seed,
+                                const std::function<Result<BenchRun>()>& make);
 
   /// A line on stdout: the first with --json, else the second.
   void say(const std::string& json, const std::string& text) const;
-  void say_speed_up(const BenchReport& slow, const BenchReport& fast) const;
+  void say(const BenchReport& report) const;
+  /// What every report of the faithful simplex takes more than that of the fast solver, of one task.
+  void say_speed_ups(const std::vector<BenchReport>& reports) const;
+  /// The convergence of all reports of one task as <bench>_<scene>_<task>.png. errors those of write_image().
+  [[nodiscard]] Result<void> draw(const std::string& scene, const std::string& task,
+                                  const std::vector<BenchReport>& reports) const;
+  /// With --verbose, on stderr.
+  void follow(const BenchRun& run) const;
 
  private:
   BenchSuite(std::string bench, SuiteOptions options, RunStore store)

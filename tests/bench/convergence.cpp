@@ -35,9 +35,9 @@ PlotCurve curve(const BenchReport& report) {
 
 }  // namespace
 
-Image convergence_image(const std::string& title, const std::vector<const BenchReport*>& reports) {
+Image convergence_image(const std::string& title, const std::vector<BenchReport>& reports) {
   std::vector<PlotCurve> curves;
-  for (const BenchReport* report : reports) curves.push_back(curve(*report));
+  for (const BenchReport& report : reports) curves.push_back(curve(report));
   return curve_plot(title, "work in render equivalents", "median error over the start's, best so far", curves);
 }
 

@@ -10,6 +10,6 @@ namespace luminist {
 
 /// A curve for each report: over the work in render equivalents the median over its runs of the best epsilon so far, as
 /// a share of the start's. Both axes are logarithmic. A run that has ended keeps its best.
-Image convergence_image(const std::string& title, const std::vector<const BenchReport*>& reports);
+Image convergence_image(const std::string& title, const std::vector<BenchReport>& reports);
 
 }  // namespace luminist

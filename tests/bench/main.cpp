@@ -5,7 +5,12 @@
 #include <memory>
 #include <string>
 
+#include "bench/figure6.h"
 #include "bench/recover.h"
+#include "bench/removal.h"
+#include "bench/scaling.h"
+#include "bench/shadow.h"
+#include "bench/styles.h"
 #include "bench/table1.h"
 
 namespace luminist {
@@ -73,6 +78,36 @@ void add_table1(CLI::App& app, Run& run) {
   bench->callback([options, &run] { run = [options](Device& device) { return run_table1(device, *options); }; });
 }
 
+/// A benchmark without words of its own. `evals` is its own cap.
+using RunSuite = Result<void> (*)(Device&, const SuiteOptions&);
+void add_plain(CLI::App& app, Run& run, const char* name, const char* doc, RunSuite run_suite, int evals) {
+  CLI::App* bench = app.add_subcommand(name, doc);
+  auto options = std::make_shared<SuiteOptions>();
+  options->caps.max_evals = evals;
+  add_suite(*bench, *options);
+  add_filters(*bench, *options);
+  bench->callback([options, run_suite, &run] {
+    run = [options, run_suite](Device& device) { return run_suite(device, *options); };
+  });
+}
+
+void add_painted(CLI::App& app, Run& run) {
+  constexpr int kEvals = 1000;  // nobody knows the goal: baselines always run that far
+  add_plain(app, run, "figure6", "a new light from crude paint, 7 DOFs, and refined, 12 (paper, Figures 2 and 6)",
+            run_figure6, kEvals);
+  add_plain(app, run, "shadow", "a light moved by erasing its shadow and painting it elsewhere, 3 and 7 DOFs",
+            run_shadow, kEvals);
+  add_plain(app, run, "removal", "the strongest of seven lights removed, the others make up for it, 36 and 48 DOFs",
+            run_removal, kEvals);
+  add_plain(app, run, "styles", "a light and the style's colours from paint, in every style but the cinematic one",
+            run_styles, kEvals);
+}
+
+void add_scaling(CLI::App& app, Run& run) {
+  add_plain(app, run, "scaling", "work and time against degrees of freedom, lights, triangles and pixels", run_scaling,
+            0);
+}
+
 int fail(const Error& error) {
   std::fprintf(stderr, "luminist-bench: %s\n", error.message().c_str());
   return static_cast<int>(error.kind);
@@ -86,6 +121,8 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   luminist::Run run;
   luminist::add_table1(app, run);
+  luminist::add_painted(app, run);
+  luminist::add_scaling(app, run);
   luminist::add_recover(app, run);
   CLI11_PARSE(app, argc, argv);
   auto device = luminist::Device::create_headless();

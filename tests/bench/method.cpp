@@ -53,6 +53,8 @@ class Watch {
     run_.equivalents = account_.equivalents();
     run_.seconds = now;
   }
+  /// What came before the method's own clock.
+  void prepared() { prepared_ = seconds_since(begin_); }
   [[nodiscard]] double equivalents() const { return account_.equivalents(); }
 
   BenchRun finish(const SolveReport& report, bool capped) {
@@ -65,6 +67,7 @@ class Watch {
     run_.total_equivalents = account_.equivalents();
     run_.total_seconds = seconds_since(begin_);
     run_.convergence = report.convergence;
+    for (ConvergencePoint& point : run_.convergence) point.seconds += prepared_;
     return run_;
   }
 
@@ -72,6 +75,7 @@ class Watch {
   Account account_;
   double goal_;
   BenchRun run_;
+  double prepared_ = 0.0;
   Clock::time_point begin_ = Clock::now();
 };
 
@@ -85,10 +89,11 @@ SolveOptions solve_options(const BenchTask& task, Method method, const MethodCap
 }
 
 Result<BenchRun> run_session(Renderer& renderer, const BenchTask& task, Method method, const MethodCaps& caps,
-                             std::uint64_t seed) {
+                             std::uint64_t seed, ParamState* best) {
   Watch watch(renderer, task);
   LUM_TRY(SolveSession session,
           SolveSession::create(renderer, task.start, task.target, solve_options(task, method, caps, seed)));
+  watch.prepared();
   bool capped = false;
   while (!capped) {
     LUM_TRY(const bool more, session.step());
@@ -97,17 +102,19 @@ Result<BenchRun> run_session(Renderer& renderer, const BenchTask& task, Method m
     capped = method == Method::kFast && watch.equivalents() > caps.max_equivalents;
   }
   session.stop();
+  if (best != nullptr) *best = session.best();
   capped = capped || session.report().termination == Termination::kEvalLimit;
   return watch.finish(session.report(), capped);
 }
 
 Result<BenchRun> run_nlopt(Renderer& renderer, const BenchTask& task, Method method, const MethodCaps& caps,
-                           std::uint64_t seed) {
+                           std::uint64_t seed, ParamState* best) {
   Watch watch(renderer, task);
   Progress progress(renderer, task.start, solve_options(task, method, caps, seed));
   const NloptAlgorithm algorithm =
       method == Method::kNloptBobyqa ? NloptAlgorithm::kBobyqa : NloptAlgorithm::kNelderMead;
   LUM_TRY_VOID(solve_by_nlopt(renderer, task.target, progress, algorithm, [&] { watch.look(progress.report()); }));
+  if (best != nullptr) *best = progress.best();
   return watch.finish(progress.report(), progress.report().termination == Termination::kEvalLimit);
 }
 
@@ -127,10 +134,10 @@ std::string MethodCaps::text(Method method) const {
 }
 
 Result<BenchRun> run_method(Renderer& renderer, const BenchTask& task, Method method, const MethodCaps& caps,
-                            std::uint64_t seed) {
+                            std::uint64_t seed, ParamState* best) {
   const bool nlopt = method == Method::kNloptNelderMead || method == Method::kNloptBobyqa;
-  LUM_TRY(BenchRun run,
-          nlopt ? run_nlopt(renderer, task, method, caps, seed) : run_session(renderer, task, method, caps, seed));
+  LUM_TRY(BenchRun run, nlopt ? run_nlopt(renderer, task, method, caps, seed, best)
+                              : run_session(renderer, task, method, caps, seed, best));
   run.lights = free_lights(task.start);
   run.dofs = free_dofs(task.start, renderer.frame());
   return run;
@@ -151,13 +158,20 @@ Result<double> time_evaluation(Renderer& renderer, const BenchTask& task) {
   return seconds[1];
 }
 
+bool is_free(const Light& light) {
+  for (int dof = 0; dof < light.params.schema().dofs(); ++dof) {
+    if (!light.params.locked(dof)) return true;
+  }
+  return false;
+}
+
 int free_lights(const ParamState& state) {
-  return static_cast<int>(std::count_if(state.rig.lights.begin(), state.rig.lights.end(), [](const Light& light) {
-    for (int dof = 0; dof < light.params.schema().dofs(); ++dof) {
-      if (!light.params.locked(dof)) return true;
-    }
-    return false;
-  }));
+  return static_cast<int>(std::count_if(state.rig.lights.begin(), state.rig.lights.end(), is_free));
+}
+
+std::vector<std::string> free_names(const ParamState& state, const SceneFrame& frame) {
+  const std::vector<const ParamBlock*> blocks = state.blocks();
+  return dof_names(state, UnitMap::create(blocks, frame));
 }
 
 int free_dofs(const ParamState& state, const SceneFrame& frame) {

@@ -2,6 +2,7 @@
 // tests/bench/method.h -- the solvers that are compared, behind one call.
 #include <span>
 #include <string>
+#include <vector>
 
 #include "bench/bench_run.h"
 #include "render/renderer.h"
@@ -35,17 +36,20 @@ struct MethodCaps {
 };
 
 /// Solves a task from its start. The account is the renderer's own: everything between the call and the return counts,
-/// over the work of one full picture of the starting rig. key and evaluation_seconds are left to the caller.
-/// errors the renderer's, the session's.
+/// over the work of one full picture of the starting rig. key and evaluation_seconds are left to the caller. best gets
+/// the state that was found. errors the renderer's, the session's.
 Result<BenchRun> run_method(Renderer& renderer, const BenchTask& task, Method method, const MethodCaps& caps,
-                            std::uint64_t seed);
+                            std::uint64_t seed, ParamState* best = nullptr);
 
 /// Wall time of comparing one full picture in which every free degree of freedom has moved a little: the median of
 /// three. errors the renderer's.
 Result<double> time_evaluation(Renderer& renderer, const BenchTask& task);
 
-/// Lights with something to turn, and how many degrees of freedom.
+/// Whether a light has something to turn; how many have, how many degrees of freedom.
+bool is_free(const Light& light);
 int free_lights(const ParamState& state);
 int free_dofs(const ParamState& state, const SceneFrame& frame);
+/// Their paths, in UnitMap order.
+std::vector<std::string> free_names(const ParamState& state, const SceneFrame& frame);
 
 }  // namespace luminist

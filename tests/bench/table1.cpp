@@ -9,9 +9,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "bench/convergence.h"
 #include "bench/perturbation.h"
-#include "image_io/image_io.h"
 
 namespace luminist {
 namespace {
@@ -66,11 +64,6 @@ ParamState with_row_free(ParamState state, const Row& row) {
   LUM_CHECK(row.lights.size() <= state.rig.lights.size(), "the demo rigs have six lights or more");
   for (std::size_t i = 0; i < row.lights.size(); ++i) unlock_roles(state.rig.lights[i], row.lights[i]);
   return state;
-}
-
-std::vector<std::string> free_names(const ParamState& state, const SceneFrame& frame) {
-  const std::vector<const ParamBlock*> blocks = state.blocks();
-  return dof_names(state, UnitMap::create(blocks, frame));
 }
 
 /// How bright a picture is, in the measure of epsilon.
@@ -149,7 +142,7 @@ void say_dofs(const BenchSuite& suite, const BenchStage& stage, const Row& row, 
   suite.say(line.dump(), text);
 }
 
-using RowReports = std::vector<std::pair<std::string, BenchReport>>;
+using RowReports = std::map<std::string, std::vector<BenchReport>>;
 
 /// All rows of one scene at one size.
 Result<void> run_scene(BenchSuite& suite, const BenchStage& stage, const RangeTable& ranges, const std::string& perturb,
@@ -162,47 +155,10 @@ Result<void> run_scene(BenchSuite& suite, const BenchStage& stage, const RangeTa
       if (plan.size != PictureSize{stage.width, stage.height}) continue;
       const auto make = [&](std::uint64_t seed) { return perturbed_task(stage, original, picture, reach, seed); };
       LUM_TRY(BenchReport report, suite.run(stage, row.name + " " + perturb, plan, make));
-      reports.emplace_back(row.name, std::move(report));
+      reports[row.name].push_back(std::move(report));
     }
   }
   return {};
-}
-
-/// For each row what every run of the simplex takes more than the fast solver's.
-void say_speed_ups(const BenchSuite& suite, const RowReports& reports) {
-  for (const auto& [row, fast] : reports) {
-    if (fast.key().method != to_word(Method::kFast)) continue;
-    for (const auto& [other_row, slow] : reports) {
-      if (other_row == row && slow.key().method == to_word(Method::kSimplex)) suite.say_speed_up(slow, fast);
-    }
-  }
-}
-
-/// One picture a row, of all methods and sizes.
-Result<void> draw_convergence(const BenchSuite& suite, const std::string& scene, const std::string& perturb,
-                              const RowReports& reports) {
-  for (const Row& row : table_rows()) {
-    std::vector<const BenchReport*> of_row;
-    for (const auto& [name, report] : reports) {
-      if (name == row.name) of_row.push_back(&report);
-    }
-    if (of_row.empty()) continue;
-    const Image image =
-        convergence_image(fmt::format("Table I, {}, {}: {} degrees of freedom", scene, perturb, row.name), of_row);
-    LUM_TRY_VOID(write_image(suite.file(fmt::format("table1_{}_{}_{}.png", scene, row.name, perturb)), image));
-  }
-  return {};
-}
-
-/// The sizes that are left of the plans, each once.
-std::vector<PictureSize> sizes(const BenchSuite& suite) {
-  std::vector<PictureSize> result;
-  for (const Row& row : wanted_rows(suite)) {
-    for (const MethodPlan& plan : suite.narrowed(row_plan(row))) {
-      if (std::find(result.begin(), result.end(), plan.size) == result.end()) result.push_back(plan.size);
-    }
-  }
-  return result;
 }
 
 }  // namespace
@@ -219,12 +175,18 @@ Result<void> run_table1(Device& device, const Table1Options& options) {
     LUM_TRY(const RangeTable ranges, measured_ranges(probe, wanted_rows(suite), options.perturb));
     for (const Row& row : wanted_rows(suite)) say_dofs(suite, probe, row, ranges);
     RowReports reports;
-    for (const PictureSize& size : sizes(suite)) {
+    std::vector<MethodPlan> plans;
+    for (const Row& row : wanted_rows(suite)) {
+      for (const MethodPlan& plan : suite.narrowed(row_plan(row))) plans.push_back(plan);
+    }
+    for (const PictureSize& size : sizes_of(plans)) {
       LUM_TRY(const BenchStage stage, open_bench_stage(device, demo_scene(scene), size.width, size.height));
       LUM_TRY_VOID(run_scene(suite, stage, ranges, options.perturb, reports));
     }
-    say_speed_ups(suite, reports);
-    LUM_TRY_VOID(draw_convergence(suite, scene, options.perturb, reports));
+    for (const Row& row : wanted_rows(suite)) {
+      suite.say_speed_ups(reports[row.name]);
+      LUM_TRY_VOID(suite.draw(scene, row.name + " " + options.perturb, reports[row.name]));
+    }
   }
   return {};
 }

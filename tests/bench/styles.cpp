@@ -1,0 +1,91 @@
+#include "bench/styles.h"
+
+#include <algorithm>
+#include <array>
+#include <string_view>
+#include <utility>
+
+#include "bench/painted.h"
+#include "bench/painter.h"
+#include "bench/perturbation.h"
+
+namespace luminist {
+namespace {
+
+constexpr PaintedPlan kPlan{{512, 512}, {128, 128}, 20, 5};
+constexpr float kBrush = 0.06F;         // diameter of a dab, picture heights
+constexpr float kVisible = 0.05F;       // of the brightest pixel: what a painter would change
+constexpr double kLeastPainted = 0.03;  // of the picture
+
+/// The first light alone, with what is solved for unlocked.
+ParamState start_of(const BenchStage& stage) {
+  static constexpr std::array<std::string_view, 3> kLook{"position", "direction", "color"};
+  ParamState state = stage.state;
+  state.rig.lights.resize(1, state.rig.lights.front());
+  unlock_roles(state.rig.lights.front(), kLook);
+  const ParamSchema& schema = state.style.schema();
+  for (int param = 0; param < schema.size(); ++param) {
+    if (schema[param].role == "color" && !schema[param].quality) state.style.set_param_locked(param, false);
+  }
+  return state;
+}
+
+/// Where two pictures differ visibly.
+std::vector<unsigned char> difference(const Image& a, const Image& b) {
+  float peak = 0.0F;
+  for (std::size_t i = 0; i < a.pixels(); ++i) peak = std::max(peak, glm::length(a.rgb(i)));
+  std::vector<unsigned char> mask(a.pixels());
+  for (std::size_t i = 0; i < mask.size(); ++i) mask[i] = glm::distance(a.rgb(i), b.rgb(i)) > kVisible * peak ? 1 : 0;
+  return mask;
+}
+
+/// Made on the small probe's picture, so that every size gets the same strokes.
+Result<StrokeFile> style_paint(const BenchStage& probe, std::span<const UnitRange> ranges, std::uint64_t seed) {
+  constexpr int kDraws = 200;
+  Random random(seed);
+  const ParamState start = start_of(probe);
+  LUM_TRY(const Image before, probe.renderer().render(start));
+  for (int i = 0; i < kDraws; ++i) {
+    LUM_TRY(const Image wanted, probe.renderer().render(perturbed(start, probe.frame(), ranges, {}, random)));
+    const std::vector<unsigned char> mask = difference(wanted, before);
+    const auto painted = std::count(mask.begin(), mask.end(), 1);
+    if (static_cast<double>(painted) < kLeastPainted * static_cast<double>(mask.size())) continue;
+    Brush brush;
+    brush.diameter = kBrush;
+    brush.texture = 0.0F;
+    StrokeFile file;
+    file.strokes = colored_dabs(brush, wanted, mask, random);
+    if (!file.strokes.empty()) return file;
+  }
+  return Error{ErrorKind::kLimit, "no change of the light and the style can be seen", probe.scene, "scenes", ""};
+}
+
+}  // namespace
+
+Result<void> run_styles(Device& device, const SuiteOptions& options) {
+  std::vector<std::string> styles;
+  for (std::string& style : style_names(AssetRoots::standard())) {
+    if (style != "cinematic") styles.push_back(std::move(style));
+  }
+  LUM_TRY(BenchSuite suite, BenchSuite::create("styles", options, {"creature", "still_life"}, styles));
+  for (const std::string& name : suite.scenes()) {
+    for (const std::string& style : styles) {
+      if (!suite.wants_task(style)) continue;
+      BenchScene scene = demo_scene(name);
+      scene.shot.style = style;
+      LUM_TRY(const BenchStage probe, open_bench_stage(device, scene, 96, 96));
+      LUM_TRY(const std::vector<UnitRange> ranges, useful_ranges(probe.renderer(), start_of(probe)));
+      const auto make = [&](const BenchStage& stage, std::uint64_t seed) -> Result<BenchTask> {
+        LUM_TRY(const StrokeFile strokes, style_paint(probe, ranges, seed));
+        ParamState start = start_of(stage);
+        LUM_TRY(Canvas canvas, canvas_on(stage, start));
+        LUM_TRY_VOID(canvas.apply(strokes, "generated"));
+        return BenchTask{std::move(start), canvas.target()};
+      };
+      LUM_TRY_VOID(run_painted(device, suite, scene, {{style, make}}, kPlan));
+    }
+  }
+  return {};
+}
+
+}  // namespace luminist
