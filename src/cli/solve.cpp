@@ -1,12 +1,11 @@
 #include <CLI/CLI.hpp>
-#include <chrono>
 #include <memory>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include "cli/shot_words.h"
-#include "image_io/image_io.h"
+#include "cli/task_words.h"
 #include "params/param_text.h"
 #include "studio/results.h"
 
@@ -15,14 +14,8 @@ namespace {
 
 struct Words {
   ShotWords shot;
-  std::string strokes;
-  std::string target;
-  std::string importance;
-  int new_lights = 0;
-  NewLight light;
-  std::vector<std::string> unlock;
-  std::vector<std::string> lock;
-  std::vector<std::pair<std::string, bool>> locks;  ///< both, in the order in which they were given
+  PaintWords paint;
+  LockWords locks;
   std::string solver = "auto";
   std::optional<double> seconds;
   SolveOptions options;
@@ -30,42 +23,6 @@ struct Words {
   std::string output;
   bool json = false;
 };
-
-Result<void> check_words(const Words& words) {
-  const auto usage = [](const char* what, const char* field, const char* hint) {
-    return Error{ErrorKind::kUsage, what, "", field, hint};
-  };
-  if (words.strokes.empty() && words.target.empty()) {
-    return usage("there is nothing to match", "--paint", "give strokes with --paint, or a picture with --target");
-  }
-  if (!words.importance.empty() && words.target.empty()) {
-    return usage("an importance map goes with a picture", "--importance", "paint importance into the strokes instead");
-  }
-  return {};
-}
-
-Result<void> put_target(Session& session, const Words& words, const AssetRoots& roots) {
-  if (!words.strokes.empty()) {
-    LUM_TRY(const std::string path, find_input(words.strokes, ".", roots));
-    LUM_TRY(const StrokeFile strokes, load_strokes(path));
-    return session.paint(strokes, path);
-  }
-  LUM_TRY(const std::string path, find_input(words.target, ".", roots));
-  LUM_TRY(const Image color, read_image(path));
-  std::optional<Image> importance;
-  if (!words.importance.empty()) {
-    LUM_TRY(const std::string importance_path, find_input(words.importance, ".", roots));
-    LUM_TRY(importance, read_image(importance_path, Encoding::kLinear));
-  }
-  return session.set_target(color, importance);
-}
-
-Result<void> free_parameters(Session& session, const Words& words) {
-  if (words.new_lights == 1) LUM_TRY_VOID(session.add_light(words.light));
-  if (words.new_lights > 1) LUM_TRY_VOID(session.add_lights(words.new_lights, words.light));
-  for (const auto& [pattern, locked] : words.locks) LUM_TRY_VOID(session.set_locked(pattern, locked));
-  return {};
-}
 
 /// " name=value" of every parameter that was free, to be read: the rig file has all digits.
 std::string free_values(const ParamBlock& block) {
@@ -110,25 +67,24 @@ Result<void> write_proposal(Session& session, const std::string& folder, Result<
 }
 
 Result<int> solve(const Words& words, VerbContext& context) {
-  using Clock = std::chrono::steady_clock;
-  LUM_TRY_VOID(check_words(words));
+  LUM_TRY_VOID(check_paint_words(words.paint));
   LUM_TRY(const Shot shot, shot_from(words.shot));
   LUM_TRY_VOID(check_folder_output(words.output));
   LUM_TRY(Device device, Device::create_headless());
   Console& console = context.console;
   Diagnostics diagnostics;
   auto opened = Session::open(device, context.roots, shot, ".", diagnostics);
-  auto prepared = opened ? put_target(**opened, words, context.roots) : Result<void>(opened.error());
+  auto prepared = opened ? put_target(**opened, words.paint, context.roots) : Result<void>(opened.error());
   console.warn(diagnostics);
   LUM_TRY_VOID(std::move(prepared));
   const std::unique_ptr<Session> session = std::move(*opened);
-  LUM_TRY_VOID(free_parameters(*session, words));
+  LUM_TRY_VOID(add_new_lights(*session, words.paint));
+  LUM_TRY_VOID(apply_locks(*session, words.locks));
   const StopSignals::Grace grace(context.signals);
-  const auto start = Clock::now();
+  const Deadline deadline(context.signals, words.seconds);
   auto solved = session->solve(words.options, [&](const SolveReport& report) {
     console.progress(report);
-    const bool late = words.seconds && std::chrono::duration<double>(Clock::now() - start).count() >= *words.seconds;
-    return !late && context.signals.stopped() == 0;
+    return deadline.go_on();
   });
   LUM_TRY_VOID(write_proposal(*session, words.output, std::move(solved)));
   const SolveReport& report = session->solved()->report;
@@ -138,37 +94,15 @@ Result<int> solve(const Words& words, VerbContext& context) {
   return words.until && report.epsilon > *words.until ? 1 : 0;
 }
 
-/// CLI::PositiveNumber lets "nan" and "inf" through.
-CLI::Validator finite_number() {
-  return {
-      [](const std::string& text) { return parse_number(text) ? "" : fmt::format("\"{}\" is no finite number", text); },
-      ""};
-}
-
-/// --lock and --unlock as they were mixed: "--lock '*' --unlock lights/key/color" frees that colour only.
-void note_lock_order(const CLI::App& app, Words& words) {
-  const CLI::Option* unlock = app.get_option("--unlock");
-  const CLI::Option* lock = app.get_option("--lock");
-  std::size_t unlocked = 0;
-  std::size_t locked = 0;
-  for (const CLI::Option* option : app.parse_order()) {
-    if (option == unlock) words.locks.emplace_back(words.unlock[unlocked++], false);
-    if (option == lock) words.locks.emplace_back(words.lock[locked++], true);
-  }
-}
-
 void declare_solver(CLI::App& app, Words& words) {
   app.add_option("--solver", words.solver, "auto, fast or simplex")->check(CLI::IsMember({"auto", "fast", "simplex"}));
   app.add_option("--seed", words.options.seed, "Of the random restarts (default: 1)");
-  CLI::Option* seconds = app.add_option("--seconds", words.seconds, "Stops after that time; the best so far is written")
-                             ->check(CLI::PositiveNumber)
-                             ->check(finite_number());
+  CLI::Option* seconds = declare_seconds(app, words.seconds, "Stops after that time; the best so far is written");
   app.add_option("--evals", words.options.max_evals, "Compares at most so many full pictures")
       ->check(CLI::PositiveNumber)
       ->excludes(seconds);
-  app.add_option("--until", words.until, "Stops at that error; status 1 if it is not reached")
-      ->check(CLI::NonNegativeNumber)
-      ->check(finite_number());
+  require_finite(*app.add_option("--until", words.until, "Stops at that error; status 1 if it is not reached")
+                      ->check(CLI::NonNegativeNumber));
 }
 
 }  // namespace
@@ -176,21 +110,8 @@ void declare_solver(CLI::App& app, Words& words) {
 Verb declare_solve(CLI::App& app) {
   const auto words = std::make_shared<Words>();  // the parser and the returned function both use it
   declare_shot(app, words->shot);
-  CLI::Option* strokes = app.add_option("--paint", words->strokes, "Stroke file: what you want to see");
-  app.add_option("--target", words->target, "Picture of what you want to see, .exr or .png")->excludes(strokes);
-  app.add_option(
-      "--importance", words->importance,
-      "How much each pixel of --target counts, 0 not at all: importance.exr of a result, or a linear image (the "
-      "importance.png of a result is a view, black where it counts)");
-  app.add_option("--add-light", words->new_lights, "Adds so many lights where the paint wants them; locks the others")
-      ->check(CLI::Range(0, 16));
-  app.add_option("--light-type", words->light.type, "Type of the lights that are added (default: cinematic)");
-  app.add_option("--unlock", words->unlock, "Lets the solver turn what matches, as lights/key/color or lights/*/barn")
-      ->allow_extra_args(false)
-      ->type_name("PATTERN");
-  app.add_option("--lock", words->lock, "Keeps what matches; later --lock and --unlock win over earlier ones")
-      ->allow_extra_args(false)
-      ->type_name("PATTERN");
+  declare_paint_words(app, words->paint);
+  declare_lock_words(app, words->locks);
   declare_solver(app, *words);
   app.add_option("-o,--output", words->output,
                  "Folder for picture, target, importance, residual, rig.toml and convergence")
@@ -203,7 +124,7 @@ Verb declare_solve(CLI::App& app) {
       "out2\n"
       "  luminist solve scene.glb --rig rig.toml --target wanted.exr --until 0.01 --seconds 60 --json -o out3");
   return [words, &app](VerbContext& context) {
-    note_lock_order(app, *words);
+    note_lock_order(app, words->locks);
     words->options.until = words->until.value_or(0.0);
     words->options.solver = words->solver == "fast"      ? SolverKind::kFast
                             : words->solver == "simplex" ? SolverKind::kSimplex

@@ -15,21 +15,35 @@ namespace luminist {
 
 using Json = nlohmann::json;
 
+namespace {
+
+Results results_of(const Image& picture, const ParamState& lights, const Target& target,
+                   const std::optional<SolveReport>& report) {
+  return {picture,
+          target.color,
+          target.importance,
+          residual_map(picture, target),
+          rig_to_toml(lights.rig),
+          block_to_json(lights.style).dump(2) + "\n",
+          report};
+}
+
+}  // namespace
+
 Result<Results> collect_results(Session& session) {
-  Results results;
   const Solved* solved = session.solved();
   const bool for_solve = solved != nullptr && (session.has_proposal() || !session.painted());
-  if (solved != nullptr) results.report = solved->report;
   LUM_TRY(const Target* target, session.target());
   if (for_solve) target = &solved->target;
-  results.target = target->color;
-  results.importance = target->importance;
   LUM_TRY(const Image* picture, session.picture());
-  results.picture = *picture;
-  results.residual = residual_map(results.picture, *target);
-  results.rig = rig_to_toml(session.shown().rig);
-  results.style_params = block_to_json(session.shown().style).dump(2) + "\n";
-  return results;
+  return results_of(*picture, session.shown(), *target,
+                    solved != nullptr ? std::optional(solved->report) : std::nullopt);
+}
+
+Result<Results> collect_results(const Session& session, const ParamState& lights, const Target& target,
+                                const std::optional<SolveReport>& report) {
+  LUM_TRY(const Image picture, session.stage().renderer->render(lights));
+  return results_of(picture, lights, target, report);
 }
 
 Image importance_picture(const Image& importance) {

@@ -24,6 +24,9 @@ struct Results {
 /// Of what the session shows: the proposal or the lights in force. The target is what is painted, or else what the
 /// last solve was for. errors the renderer's.
 Result<Results> collect_results(Session& session);
+/// Of lights that the session does not show. errors the renderer's. cost a picture.
+Result<Results> collect_results(const Session& session, const ParamState& lights, const Target& target,
+                                const std::optional<SolveReport>& report);
 
 /// picture.{exr,png}, target.{exr,png}, importance.{exr,png} (black counts most, as in the paper's figures),
 /// residual.{exr,png} (a heat map), rig.toml, style.json, and after a solve convergence.{jsonl,png}.

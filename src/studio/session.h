@@ -93,11 +93,14 @@ class Session {
   // Solving --------------------------------------------------------------------------------------------------------
   /// errors kNothingToDo: nothing painted, everything locked, nothing counts.
   Result<void> start_solve(const SolveOptions& options);
+  /// The same from other lights than those in force, for another target than what is painted.
+  Result<void> start_solve(ParamState lights, Target target, const SolveOptions& options, const std::string& label);
   /// Goes on for about that long. returns false when there is nothing more to do. errors those of SolveSession.
   Result<bool> continue_solve(std::chrono::milliseconds slice);
   void stop_solve();
-  /// Both of the above until there is nothing more to do, or watch says false: asked about every 50 ms.
   using SolveWatch = std::function<bool(const SolveReport&)>;
+  /// Until there is nothing more to do, or watch says false: asked about every 50 ms.
+  Result<void> continue_solve(const SolveWatch& watch);
   Result<void> solve(const SolveOptions& options, const SolveWatch& watch);
   [[nodiscard]] bool has_proposal() const { return solve_ || proposed_; }
   /// Lights that were found elsewhere become the proposal.

@@ -24,10 +24,15 @@ Result<void> Session::start_solve(const SolveOptions& options) {
     return Error{ErrorKind::kNothingToDo, "nothing is painted", "", "", "paint the light that you want to see"};
   }
   LUM_TRY(const Canvas* canvas, this->canvas());
+  return start_solve(state_, canvas->target(), options, Solved{}.label);
+}
+
+Result<void> Session::start_solve(ParamState lights, Target target, const SolveOptions& options,
+                                  const std::string& label) {
   LUM_TRY(SolveSession solve,
-          SolveSession::create(*stage_->renderer, state_, canvas->target(), options, stage_->edges));
+          SolveSession::create(*stage_->renderer, std::move(lights), target, options, stage_->edges));
   drop_proposal();
-  solved_ = Solved{options, solve.report(), canvas->target(), Solved{}.label};
+  solved_ = Solved{options, solve.report(), std::move(target), label};
   solve_ = std::move(solve);
   return {};
 }
@@ -56,6 +61,10 @@ void Session::stop_solve() {
 
 Result<void> Session::solve(const SolveOptions& options, const SolveWatch& watch) {
   LUM_TRY_VOID(start_solve(options));
+  return continue_solve(watch);
+}
+
+Result<void> Session::continue_solve(const SolveWatch& watch) {
   for (bool more = true; more;) {
     LUM_TRY(more, continue_solve(std::chrono::milliseconds(50)));
     if (more && watch && !watch(solve_->report())) {

@@ -1,0 +1,101 @@
+#include "cli/task_words.h"
+
+#include <CLI/CLI.hpp>
+
+#include <fmt/format.h>
+
+#include "image_io/image_io.h"
+#include "params/param_text.h"
+
+namespace luminist {
+
+void declare_paint_words(CLI::App& app, PaintWords& words) {
+  CLI::Option* strokes = app.add_option("--paint", words.strokes, "Stroke file: what you want to see");
+  app.add_option("--target", words.target, "Picture of what you want to see, .exr or .png")->excludes(strokes);
+  app.add_option(
+      "--importance", words.importance,
+      "How much each pixel of --target counts, 0 not at all: importance.exr of a result, or a linear image (the "
+      "importance.png of a result is a view, black where it counts)");
+  app.add_option("--add-light", words.new_lights, "Adds so many lights where the paint wants them; locks the others")
+      ->check(CLI::Range(0, 16));
+  app.add_option("--light-type", words.light.type, "Type of the lights that are added (default: cinematic)");
+}
+
+Result<void> check_paint_words(const PaintWords& words) {
+  const auto usage = [](const char* what, const char* field, const char* hint) {
+    return Error{ErrorKind::kUsage, what, "", field, hint};
+  };
+  if (words.strokes.empty() && words.target.empty()) {
+    return usage("there is nothing to match", "--paint", "give strokes with --paint, or a picture with --target");
+  }
+  if (!words.importance.empty() && words.target.empty()) {
+    return usage("an importance map goes with a picture", "--importance", "paint importance into the strokes instead");
+  }
+  return {};
+}
+
+Result<void> put_target(Session& session, const PaintWords& words, const AssetRoots& roots) {
+  if (!words.strokes.empty()) {
+    LUM_TRY(const std::string path, find_input(words.strokes, ".", roots));
+    LUM_TRY(const StrokeFile strokes, load_strokes(path));
+    return session.paint(strokes, path);
+  }
+  LUM_TRY(const std::string path, find_input(words.target, ".", roots));
+  LUM_TRY(const Image color, read_image(path));
+  std::optional<Image> importance;
+  if (!words.importance.empty()) {
+    LUM_TRY(const std::string importance_path, find_input(words.importance, ".", roots));
+    LUM_TRY(importance, read_image(importance_path, Encoding::kLinear));
+  }
+  return session.set_target(color, importance);
+}
+
+Result<void> add_new_lights(Session& session, const PaintWords& words) {
+  if (words.new_lights == 1) LUM_TRY_VOID(session.add_light(words.light));
+  if (words.new_lights > 1) LUM_TRY_VOID(session.add_lights(words.new_lights, words.light));
+  return {};
+}
+
+void declare_lock_words(CLI::App& app, LockWords& words) {
+  app.add_option("--unlock", words.unlock, "Lets the solver turn what matches, as lights/key/color or lights/*/barn")
+      ->allow_extra_args(false)
+      ->type_name("PATTERN");
+  app.add_option("--lock", words.lock, "Keeps what matches; later --lock and --unlock win over earlier ones")
+      ->allow_extra_args(false)
+      ->type_name("PATTERN");
+}
+
+void note_lock_order(const CLI::App& app, LockWords& words) {
+  const CLI::Option* unlock = app.get_option("--unlock");
+  const CLI::Option* lock = app.get_option("--lock");
+  std::size_t unlocked = 0;
+  std::size_t locked = 0;
+  for (const CLI::Option* option : app.parse_order()) {
+    if (option == unlock) words.ordered.emplace_back(words.unlock[unlocked++], false);
+    if (option == lock) words.ordered.emplace_back(words.lock[locked++], true);
+  }
+}
+
+Result<void> apply_locks(Session& session, const LockWords& words) {
+  for (const auto& [pattern, locked] : words.ordered) LUM_TRY_VOID(session.set_locked(pattern, locked));
+  return {};
+}
+
+CLI::Option* declare_seconds(CLI::App& app, std::optional<double>& seconds, const std::string& doc) {
+  CLI::Option* option = app.add_option("--seconds", seconds, doc)->check(CLI::PositiveNumber);
+  require_finite(*option);
+  return option;
+}
+
+void require_finite(CLI::Option& option) {
+  option.check(CLI::Validator(
+      [](const std::string& text) { return parse_number(text) ? "" : fmt::format("\"{}\" is no finite number", text); },
+      ""));
+}
+
+bool Deadline::go_on() const {
+  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - start_;
+  return signals_->stopped() == 0 && !(seconds_ && spent.count() >= *seconds_);
+}
+
+}  // namespace luminist

@@ -1,0 +1,63 @@
+#pragma once
+// cli/task_words.h -- what is wanted and who may change for it: [--paint P | --target T [--importance I]]
+// [--add-light N] [--unlock PATTERN]... [--lock PATTERN]... [--seconds S]
+#include <chrono>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "cli/verb.h"
+#include "studio/session.h"
+
+namespace CLI {
+class Option;
+}
+
+namespace luminist {
+
+/// What is to be seen, as it was typed.
+struct PaintWords {
+  std::string strokes;
+  std::string target;
+  std::string importance;
+  int new_lights = 0;
+  NewLight light;
+};
+void declare_paint_words(CLI::App& app, PaintWords& words);
+/// errors kUsage for words that do not go together. Costs nothing, so it comes before anything is loaded.
+Result<void> check_paint_words(const PaintWords& words);
+/// Paints, or takes the picture as target. errors those of the files and of Session.
+Result<void> put_target(Session& session, const PaintWords& words, const AssetRoots& roots);
+/// Adds the lights that were asked for.
+Result<void> add_new_lights(Session& session, const PaintWords& words);
+
+/// --lock and --unlock, as they were typed and in the order in which they were mixed:
+/// "--lock '*' --unlock lights/key/color" frees that colour only.
+struct LockWords {
+  std::vector<std::string> unlock;
+  std::vector<std::string> lock;
+  std::vector<std::pair<std::string, bool>> ordered;
+};
+void declare_lock_words(CLI::App& app, LockWords& words);
+/// Fills `ordered` once the words were parsed.
+void note_lock_order(const CLI::App& app, LockWords& words);
+Result<void> apply_locks(Session& session, const LockWords& words);
+
+CLI::Option* declare_seconds(CLI::App& app, std::optional<double>& seconds, const std::string& doc);
+/// The checks of CLI11 let "nan" and "inf" through.
+void require_finite(CLI::Option& option);
+
+/// Whether to go on: false after a stop signal, or after so many seconds from its making.
+class Deadline {
+ public:
+  Deadline(const StopSignals& signals, std::optional<double> seconds) : signals_(&signals), seconds_(seconds) {}
+  [[nodiscard]] bool go_on() const;
+
+ private:
+  const StopSignals* signals_;
+  std::optional<double> seconds_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+}  // namespace luminist

@@ -1,0 +1,23 @@
+#include "explore/watched_solve.h"
+
+#include <utility>
+
+namespace luminist {
+
+Result<Outcome> WatchedSolves::run(ParamState start, const SolveOptions& options, const std::string& doing) {
+  constexpr std::chrono::milliseconds kSlice(50);
+  LUM_TRY(SolveSession solve, SolveSession::create(*renderer_, std::move(start), *target_, options));
+  progress_.doing = doing;
+  for (bool more = true; more;) {
+    LUM_TRY(more, solve.run_for(kSlice));
+    progress_.epsilon = solve.report().epsilon;
+    stopped_ = stopped_ || (*watch_ && !(*watch_)(progress_));
+    if (!more || !stopped_) continue;
+    solve.stop();
+    more = false;
+  }
+  ++progress_.done;
+  return Outcome{solve.best(), solve.report()};
+}
+
+}  // namespace luminist
