@@ -43,7 +43,7 @@ Result<int> remove(const Words& words, VerbContext& context) {
   LUM_TRY(const RemovalFacts facts, start_removal(*session, words.light, words.options));
   const StopSignals::Grace grace(context.signals);
   const Deadline deadline(context.signals, words.seconds);
-  LUM_TRY_VOID(session->continue_solve([&](const SolveReport& report) {
+  LUM_TRY_VOID(session->finish_solve([&](const SolveReport& report) {
     console.progress(report);
     return deadline.go_on();
   }));

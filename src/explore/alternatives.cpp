@@ -14,8 +14,14 @@
 namespace luminist {
 namespace {
 
+constexpr int kCells = 256;
 constexpr int kTriesEach = 8;
-constexpr double kPromising = 3.0;  // times the limit: worth freeing what was held
+constexpr double kPromising = 6.0;  // times the limit: worth freeing what was held
+
+struct Solution {
+  Outcome outcome;
+  std::vector<LightLook> look;
+};
 
 double limit_of(double best, double black, const AlternativesOptions& options) {
   return std::max(options.factor * best, best + options.allowance * black);
@@ -44,26 +50,30 @@ Result<Outcome> solve_elsewhere(WatchedSolves& solves, const OtherStart& start, 
 }
 
 /// Greedily the farthest from those that were taken; the first of `all` is the best and always taken.
-Result<std::vector<Alternative>> most_different(LightDistance& distance, std::vector<Outcome> all,
-                                                const AlternativesOptions& options) {
+std::vector<Alternative> most_different(const std::vector<Solution>& all, const AlternativesOptions& options) {
   std::vector<double> nearest(all.size(), std::numeric_limits<double>::infinity());
-  std::vector<bool> taken(all.size(), false);
   std::vector<Alternative> list;
   std::size_t next = 0;
   while (true) {
-    taken[next] = true;
-    list.push_back({all[next].state, all[next].report, list.empty() ? 0.0 : nearest[next]});
+    list.push_back({all[next].outcome.state, all[next].outcome.report, list.empty() ? 0.0 : nearest[next]});
     if (static_cast<int>(list.size()) >= options.count) return list;
-    std::optional<std::size_t> farthest;
     for (std::size_t i = 0; i < all.size(); ++i) {
-      if (taken[i]) continue;
-      LUM_TRY(const double apart, distance.between(list.back().state, all[i].state));
-      nearest[i] = std::min(nearest[i], apart);
-      if (nearest[i] >= options.distinct && (!farthest || nearest[i] > nearest[*farthest])) farthest = i;
+      nearest[i] = std::min(nearest[i], look_distance(all[next].look, all[i].look));
     }
-    if (!farthest) return list;
-    next = *farthest;
+    next = static_cast<std::size_t>(std::max_element(nearest.begin(), nearest.end()) - nearest.begin());
+    if (!(nearest[next] > 0.0 && nearest[next] >= options.distinct)) return list;
   }
+}
+
+/// Where the picture counts.
+Vec3 focus_of(const SampleCells& cells, const SceneFrame& frame) {
+  Vec3 sum(0.0F);
+  double weights = 0.0;
+  for (std::size_t c = 0; c < cells.position.size(); ++c) {
+    sum += static_cast<float>(cells.weight[c]) * cells.position[c];
+    weights += cells.weight[c];
+  }
+  return weights > 0.0 ? sum / static_cast<float>(weights) : frame.center;
 }
 
 }  // namespace
@@ -74,26 +84,32 @@ Result<Alternatives> find_alternatives(Renderer& renderer, const ParamState& sta
   const double black = black_error(target);
   WatchedSolves solves(renderer, target, watch, 1 + 2 * tries);
   LUM_TRY(Outcome first, solves.run(start, {.seed = options.seed}, "the painting"));
-  LightDistance distance(renderer, target);
-  OtherStarts starts(first.state, distance.cells(), renderer.frame(), distance.focus(), options.seed);
+  const SampleCells cells = CellSampler(renderer.surface(), target).cut(kCells, 1, options.seed);
+  const Vec3 focus = focus_of(cells, renderer.frame());
+  OtherStarts starts(first.state, cells, renderer.frame(), focus, options.seed);
   double best = first.report.epsilon;
   Alternatives result;
-  std::vector<Outcome> all;
-  all.push_back(std::move(first));
+  std::vector<Solution> all;
+  all.push_back({std::move(first), {}});
   for (; result.tried < tries && !solves.stopped(); ++result.tried) {
     const std::string doing = fmt::format("other lights {} of {}", result.tried + 1, tries);
     LUM_TRY(Outcome outcome, solve_elsewhere(solves, starts.next(), limit_of(best, black, options),
                                              options.seed + static_cast<std::uint64_t>(result.tried) + 1, doing));
     best = std::min(best, outcome.report.epsilon);
-    all.push_back(std::move(outcome));
+    all.push_back({std::move(outcome), {}});
   }
   result.limit = limit_of(best, black, options);
   result.stopped = solves.stopped();
-  std::erase_if(all, [&](const Outcome& outcome) { return outcome.report.epsilon > result.limit; });
+  const auto epsilon = [](const Solution& solution) { return solution.outcome.report.epsilon; };
+  std::erase_if(all, [&](const Solution& solution) { return epsilon(solution) > result.limit; });
   std::stable_sort(all.begin(), all.end(),
-                   [](const Outcome& a, const Outcome& b) { return a.report.epsilon < b.report.epsilon; });
+                   [&](const Solution& a, const Solution& b) { return epsilon(a) < epsilon(b); });
   result.good = static_cast<int>(all.size());
-  LUM_TRY(result.list, most_different(distance, std::move(all), options));
+  LightEye eye(renderer, focus);
+  for (Solution& solution : all) {
+    LUM_TRY(solution.look, eye.look(solution.outcome.state));
+  }
+  result.list = most_different(all, options);
   return result;
 }
 

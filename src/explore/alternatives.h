@@ -11,7 +11,7 @@ struct AlternativesOptions {
   int count = 4;            ///< wanted, the best one included
   double factor = 1.25;     ///< good: epsilon at most so many times the best one...
   double allowance = 0.01;  ///< ...or this share of a black picture's epsilon above it, if that is more
-  double distinct = 0.1;    ///< least LightDistance between any two
+  double distinct = 0.15;   ///< least look_distance() between any two
   int tries = 0;            ///< starts besides the given one; 0: eight for each that is wanted
   std::uint64_t seed = 1;
 };

@@ -1,47 +1,48 @@
 #pragma once
-// explore/light_distance.h -- how differently two rigs light the same picture.
+// explore/light_distance.h -- how differently two rigs light a scene.
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "base/result.h"
-#include "explore/light_walk.h"
+#include "explore/light_place.h"
 #include "render/renderer.h"
 #include "solve/sample_cells.h"
 
 namespace luminist {
 
-/// A distance in light space between states that differ in the values of their free lights only.
-///
-/// Lights of one type may have changed roles: those go together whose walks (light_walk) are shortest in sum. A pair is
-/// as far apart as the root of the sum over its walk of v d^2, d being the difference of a step in light space and v,
-/// in [0,1], how much of the light's part of the picture changes with that step: what does not show does not count. The
-/// mean of the walk there and the walk back is taken. The distance of the rigs is the root mean square over the pairs,
-/// each with the strength of its part of the picture as weight. 0 for equal lights, hardly ever above 1.
-///
-/// The picture is looked at on a few hundred samples of the target. The renderer must outlive it. thread: its.
-class LightDistance {
- public:
-  LightDistance(Renderer& renderer, const Target& target);
-
-  /// errors the renderer's. cost about 8 evaluations of the samples for each free light.
-  Result<double> between(const ParamState& a, const ParamState& b);
-
-  /// Where the picture counts, world.
-  [[nodiscard]] const Vec3& focus() const { return focus_; }
-  [[nodiscard]] const SampleCells& cells() const { return cells_; }
-
- private:
-  struct Pair {
-    double strength = 0.0;  ///< of the light's part of the picture
-    double squared = 0.0;   ///< distance
-  };
-  Result<Pair> walk(const ParamState& from, std::size_t light, const Light& to);
-
-  Renderer* renderer_;
-  SampleCells cells_;
-  Vec3 focus_{0.0F};
+/// One light as the scene knows it: where its light comes from and what it does to the picture.
+struct LightLook {
+  std::string type;
+  std::optional<LightPlace> place;
+  CellField part;         ///< what the picture loses without it
+  double strength = 0.0;  ///< mean length of that
 };
 
-/// Which light of b takes the part of which of a, among free lights of equal type; others keep their own. [lights]
-std::vector<std::size_t> light_pairs(const LightRig& a, const LightRig& b, const SceneFrame& frame, const Vec3& focus);
+/// [0, sqrt(2)]: the difference of the places, together with |a - b| / (|a| + |b|) of the parts. So parameters count as
+/// far as they show: colour, shape, aim, distance and shadow alike.
+double look_distance(const LightLook& a, const LightLook& b);
+
+/// Root mean square over pairs of lights, each with the strength of its part as weight. Lights of one type may have
+/// changed roles: those are paired whose squared distances are least in sum. Both have as many lights of each type.
+/// cost O(lights^2 cells + lights^3).
+double look_distance(const std::vector<LightLook>& a, const std::vector<LightLook>& b);
+
+/// Looks at the free lights of states, one after another. All pixels of a scene that show something count alike, for
+/// what paint leaves open is where solutions differ.
+class LightEye {
+ public:
+  /// focus: where lights are seen from, world. The renderer must outlive it. thread: its.
+  LightEye(Renderer& renderer, const Vec3& focus);
+
+  /// The unmuted lights that have something unlocked, in rig order. errors the renderer's.
+  /// cost an evaluation of a few hundred samples for each.
+  Result<std::vector<LightLook>> look(const ParamState& state);
+
+ private:
+  Renderer* renderer_;
+  Vec3 focus_;
+  SampleCells cells_;
+};
 
 }  // namespace luminist

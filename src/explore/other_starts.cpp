@@ -5,8 +5,7 @@
 #include <cmath>
 #include <optional>
 
-#include "explore/light_walk.h"
-#include "explore/locks.h"
+#include "explore/light_place.h"
 
 namespace luminist {
 namespace {

@@ -8,7 +8,7 @@
 
 namespace luminist {
 
-/// A light goes, and a solve begins in which the others make up for it: continue_solve(), accept() and revert() as with
+/// A light goes, and a solve begins in which the others make up for it: finish_solve(), accept() and revert() as with
 /// any. The target is the picture of the lights in force; paint plays no part. errors those of removal_task().
 Result<RemovalFacts> start_removal(Session& session, const std::string& light, const SolveOptions& options);
 

@@ -100,7 +100,7 @@ class Session {
   void stop_solve();
   using SolveWatch = std::function<bool(const SolveReport&)>;
   /// Until there is nothing more to do, or watch says false: asked about every 50 ms.
-  Result<void> continue_solve(const SolveWatch& watch);
+  Result<void> finish_solve(const SolveWatch& watch);
   Result<void> solve(const SolveOptions& options, const SolveWatch& watch);
   [[nodiscard]] bool has_proposal() const { return solve_ || proposed_; }
   /// Lights that were found elsewhere become the proposal.

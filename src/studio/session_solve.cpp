@@ -61,10 +61,10 @@ void Session::stop_solve() {
 
 Result<void> Session::solve(const SolveOptions& options, const SolveWatch& watch) {
   LUM_TRY_VOID(start_solve(options));
-  return continue_solve(watch);
+  return finish_solve(watch);
 }
 
-Result<void> Session::continue_solve(const SolveWatch& watch) {
+Result<void> Session::finish_solve(const SolveWatch& watch) {
   for (bool more = true; more;) {
     LUM_TRY(more, continue_solve(std::chrono::milliseconds(50)));
     if (more && watch && !watch(solve_->report())) {
