@@ -73,8 +73,7 @@ Verb declare_alternatives(CLI::App& app) {
   app.add_option("--tries", words->options.tries, "Solves from other lights (default: 8 for each that is wanted)")
       ->check(CLI::Range(1, 10000));
   app.add_option("--seed", words->options.seed, "Of the places where lights are tried (default: 1)");
-  app.add_option("--seconds", words->seconds, "Stops after that time; what was found is written")
-      ->check(CLI::PositiveNumber);
+  declare_seconds(app, words->seconds, "Stops after that time; what was found is written");
   app.add_option("-o,--output", words->output,
                  "Folder for 1, 2... with rig and pictures, contact_sheet.png, report.json")
       ->required();

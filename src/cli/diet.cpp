@@ -1,5 +1,4 @@
 #include <CLI/CLI.hpp>
-#include <charconv>
 #include <memory>
 
 #include <fmt/format.h>
@@ -7,6 +6,7 @@
 
 #include "cli/shot_words.h"
 #include "cli/task_words.h"
+#include "params/param_text.h"
 #include "studio/exploration_results.h"
 
 namespace luminist {
@@ -25,14 +25,12 @@ struct Words {
 /// "5%" of the picture, or an error.
 Result<ErrorBudget> parse_budget(const std::string& text) {
   const bool of_black = text.ends_with('%');
-  const char* end = text.data() + text.size() - (of_black ? 1 : 0);
-  double value = 0.0;
-  const auto [read, status] = std::from_chars(text.data(), end, value);
-  if (status != std::errc() || read != end || !std::isfinite(value) || value < 0.0) {
+  const auto value = parse_number(std::string_view(text).substr(0, text.size() - (of_black ? 1 : 0)));
+  if (!value || *value < 0.0) {
     return Error{ErrorKind::kUsage, fmt::format("\"{}\" is no budget", text), "", "--budget",
                  "write 5% for a share of the picture, or an error as 0.002"};
   }
-  return ErrorBudget{of_black ? value / 100.0 : value, of_black};
+  return ErrorBudget{of_black ? *value / 100.0 : *value, of_black};
 }
 
 void print_report(Console& console, const Diet& diet) {
@@ -82,8 +80,7 @@ Verb declare_diet(CLI::App& app) {
                  "Removals at each size that are tried with everything free (default: 2)")
       ->check(CLI::Range(1, 10000));
   app.add_option("--seed", words->options.seed, "Of the solves (default: 1)");
-  app.add_option("--seconds", words->seconds, "Stops after that time; the sizes found so far are written")
-      ->check(CLI::PositiveNumber);
+  declare_seconds(app, words->seconds, "Stops after that time; the sizes found so far are written");
   app.add_option("-o,--output", words->output,
                  "Folder for N_lights with rig and pictures of each size, contact_sheet.png and report.json")
       ->required();

@@ -66,8 +66,7 @@ Verb declare_remove(CLI::App& app) {
   app.add_option("LIGHT", words->light, "Name of the light that goes")->required();
   declare_lock_words(app, words->locks);
   app.add_option("--seed", words->options.seed, "Of the random restarts (default: 1)");
-  app.add_option("--seconds", words->seconds, "Stops after that time; the best so far is written")
-      ->check(CLI::PositiveNumber);
+  declare_seconds(app, words->seconds, "Stops after that time; the best so far is written");
   app.add_option("-o,--output", words->output, "Folder for rig.toml, pictures, contact_sheet.png and report.json")
       ->required();
   app.add_flag("--json", words->json, "Prints one object");

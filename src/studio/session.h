@@ -105,9 +105,8 @@ class Session {
   [[nodiscard]] bool has_proposal() const { return solve_ || proposed_; }
   /// Lights that were found elsewhere become the proposal.
   void propose(ParamState lights, Solved solved);
-  /// The proposal becomes the lights in force, its picture what is painted on. errors kNothingToDo.
+  /// The proposal becomes the lights in force, its picture what is painted on; or it goes. errors kNothingToDo.
   Result<void> accept();
-  /// The proposal is dropped. errors kNothingToDo.
   Result<void> revert();
   /// The proposal's, or that of the last accepted solve; null if there is none.
   [[nodiscard]] const Solved* solved();
