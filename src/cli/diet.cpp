@@ -6,7 +6,6 @@
 
 #include "cli/shot_words.h"
 #include "cli/task_words.h"
-#include "params/param_text.h"
 #include "studio/exploration_results.h"
 
 namespace luminist {
@@ -21,17 +20,6 @@ struct Words {
   std::string output;
   bool json = false;
 };
-
-/// "5%" of the picture, or an error.
-Result<ErrorBudget> parse_budget(const std::string& text) {
-  const bool of_black = text.ends_with('%');
-  const auto value = parse_number(std::string_view(text).substr(0, text.size() - (of_black ? 1 : 0)));
-  if (!value || *value < 0.0) {
-    return Error{ErrorKind::kUsage, fmt::format("\"{}\" is no budget", text), "", "--budget",
-                 "write 5% for a share of the picture, or an error as 0.002"};
-  }
-  return ErrorBudget{of_black ? *value / 100.0 : *value, of_black};
-}
 
 void print_report(Console& console, const Diet& diet) {
   if (console.json()) {

@@ -1,6 +1,7 @@
 #include "explore/light_diet.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -22,9 +23,16 @@ struct Removed {
   bool shows = true;  ///< there is something to make up for
 };
 
-bool better(const Removed& a, const Removed& b) {
-  return a.outcome.report.epsilon < b.outcome.report.epsilon;
-}
+/// Epsilons that differ by less than what shows are alike: then the light goes that did less.
+struct Better {
+  double unseen = 0.0;
+
+  bool operator()(const Removed& a, const Removed& b) const { return rank(a) < rank(b); }
+  [[nodiscard]] std::pair<double, double> rank(const Removed& removed) const {
+    const double epsilon = removed.outcome.report.epsilon;
+    return {unseen > 0.0 ? std::round(epsilon / unseen) : epsilon, removed.epsilon_removed};
+  }
+};
 
 class Elimination {
  public:
@@ -76,7 +84,7 @@ Result<std::vector<Removed>> Elimination::by_colors(const DietStep& from) {
     }
     all.push_back(std::move(removed));
   }
-  std::stable_sort(all.begin(), all.end(), better);
+  std::stable_sort(all.begin(), all.end(), Better{kUnseen * black_});
   return all;
 }
 
@@ -95,7 +103,7 @@ Result<std::optional<DietStep>> Elimination::next(const DietStep& from) {
   for (Removed& removed : all) {
     if (removed.shows && !solves_.stopped()) LUM_TRY_VOID(by_all(from.state, removed));
   }
-  Removed& best = *std::min_element(all.begin(), all.end(), better);
+  Removed& best = *std::min_element(all.begin(), all.end(), Better{kUnseen * black_});
   return std::optional(DietStep{from.state.rig.lights[best.light].name, std::move(best.outcome.state),
                                 best.outcome.report.epsilon, best.epsilon_removed, false});
 }

@@ -43,8 +43,9 @@ struct Diet {
 
 /// Greedy backward elimination: of the lights that are left the one goes whose loss the others make up for best, and
 /// from what they then are it goes on. Each removal is tried with the others' colours, which are solved in closed form;
-/// the `breadth` best are solved with everything that with_free_lights() frees. Muted lights go first. The epsilon is
-/// always that of the full picture against the first one. Deterministic by seed.
+/// the `breadth` best are solved with everything that with_free_lights() frees. Where removals are alike, the light
+/// goes that did less; what does not show goes first. The epsilon is always that of the full picture against the first
+/// one. Deterministic by seed.
 /// errors kNothingToDo with fewer than two lights; the renderer's.
 /// cost about n^2 / 2 colour solves and breadth * n whole ones for n lights.
 Result<Diet> light_diet(Renderer& renderer, const ParamState& state, const DietOptions& options,

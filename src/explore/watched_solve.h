@@ -1,8 +1,10 @@
 #pragma once
 // explore/watched_solve.h -- many solves as one piece of work: how far it is, and whether to go on.
 #include <functional>
+#include <memory>
 #include <string>
 
+#include "solve/sample_cells.h"
 #include "solve/solve_session.h"
 
 namespace luminist {
@@ -26,19 +28,19 @@ struct Outcome {
 /// Runs solves for one target. The renderer, target and watch must outlive it. thread: the renderer's.
 class WatchedSolves {
  public:
-  WatchedSolves(Renderer& renderer, const Target& target, const ExploreWatch& watch, int planned)
-      : renderer_(&renderer), target_(&target), watch_(&watch) {
-    progress_.planned = planned;
-  }
+  WatchedSolves(Renderer& renderer, const Target& target, const ExploreWatch& watch, int planned);
 
   /// The best that a solve found, also if it was stopped on the way. errors those of SolveSession.
   Result<Outcome> run(ParamState start, const SolveOptions& options, const std::string& doing);
   [[nodiscard]] bool stopped() const { return stopped_; }
+  /// Of the renderer's surface, looked for once.
+  [[nodiscard]] const std::shared_ptr<const EdgeMask>& edges() const { return edges_; }
 
  private:
   Renderer* renderer_;
   const Target* target_;
   const ExploreWatch* watch_;
+  std::shared_ptr<const EdgeMask> edges_;
   ExploreProgress progress_;
   bool stopped_ = false;
 };

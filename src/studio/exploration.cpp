@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "params/param_text.h"
+
 namespace luminist {
 
 Result<RemovalFacts> start_removal(Session& session, const std::string& light, const SolveOptions& options) {
@@ -19,6 +21,16 @@ Result<Alternatives> find_alternatives(Session& session, const AlternativesOptio
   }
   LUM_TRY(const Target* target, session.target());
   return find_alternatives(*session.stage().renderer, session.state(), *target, options, watch);
+}
+
+Result<ErrorBudget> parse_budget(const std::string& text) {
+  const bool of_black = text.ends_with('%');
+  const auto value = parse_number(std::string_view(text).substr(0, text.size() - (of_black ? 1 : 0)));
+  if (!value || *value < 0.0) {
+    return Error{ErrorKind::kUsage, fmt::format("\"{}\" is no budget", text), "", "budget",
+                 "write 5% for a share of the picture, or an error as 0.002"};
+  }
+  return ErrorBudget{of_black ? *value / 100.0 : *value, of_black};
 }
 
 Result<Diet> find_diet(Session& session, const DietOptions& options, const ExploreWatch& watch) {

@@ -15,6 +15,9 @@ Result<RemovalFacts> start_removal(Session& session, const std::string& light, c
 /// Good solutions of what is painted. Changes nothing. errors kNothingToDo without paint; those of the search.
 Result<Alternatives> find_alternatives(Session& session, const AlternativesOptions& options, const ExploreWatch& watch);
 
+/// "5%" is a share of what a black picture would be off, "0.002" an epsilon. errors kUsage.
+Result<ErrorBudget> parse_budget(const std::string& text);
+
 /// The lights in force, fewer and fewer. Changes nothing. errors those of light_diet().
 Result<Diet> find_diet(Session& session, const DietOptions& options, const ExploreWatch& watch);
 

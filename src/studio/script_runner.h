@@ -66,6 +66,9 @@ class ScriptRunner {
   Result<void> target(const Action& action);
   Result<void> clear_paint(const Action& action);
   Result<void> solve(const Action& action);
+  Result<void> make_up(const Action& action);
+  Result<void> alternatives(const Action& action);
+  Result<void> diet(const Action& action);
   Result<void> accept(const Action& action);
   Result<void> revert(const Action& action);
   Result<void> step_history(const Action& action);

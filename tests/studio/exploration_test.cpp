@@ -4,6 +4,7 @@
 
 #include "image_io/image_io.h"
 #include "studio/light_map.h"
+#include "studio/script.h"
 #include "studio/session_fixture.h"
 
 namespace luminist {
@@ -120,6 +121,37 @@ TEST_F(ExplorationTest, TheMapShowsALightWhereItStands) {
   EXPECT_LT(above.at(50, 50, 1), 0.1F);
   const Image side = light_map(state.rig, surface, scale, MapView::kSide, 101, 101);
   EXPECT_GT(side.at(50, 5, 0), 0.9F);  // 0.45 of the picture above its middle
+}
+
+TEST_F(ExplorationTest, AScriptLooksFurtherToo) {
+  std::ofstream(folder_.file("rig.toml"))
+      << "[[light]]\nname = \"key\"\ntype = \"cinematic\"\nunlocked = [\"color\"]\n"
+         "[[light]]\nname = \"fill\"\ntype = \"cinematic\"\ncolor = [0.1, 0.2, 0.3]\nunlocked = [\"color\"]\n"
+         "[[light]]\nname = \"dark\"\ntype = \"cinematic\"\ncolor = [0, 0, 0]\nunlocked = [\"color\"]\n";
+  std::ofstream(folder_.file("script.jsonl"))
+      << R"({"do": "open", "scene": "ball.obj", "size": [48, 36], "rig": "rig.toml"}
+{"do": "make_up", "light": "fill", "to": "removed"}
+{"do": "accept"}
+{"do": "diet", "budget": "1%", "to": "diet", "take": true}
+{"do": "accept"}
+{"do": "paint", "strokes": {"strokes": [{"color": [1, 0.9, 0.8], "points": [[0.6, 0.4]], "diameter": 0.5}]}}
+{"do": "alternatives", "count": 2, "tries": 1, "to": "alternatives", "take": 1}
+{"do": "accept"}
+{"do": "export", "to": "end"}
+)";
+  const std::filesystem::path out = folder_.path() / "out";
+  LUM_EXPECT_OK(run_script(*device_, roots_, folder_.path() / "script.jsonl", out, {}, diagnostics_));
+  for (const char* name : {"removed", "diet", "alternatives"}) EXPECT_TRUE(report(out / name).is_object()) << name;
+  LUM_ASSERT_OK(const LightRig rig,
+                load_rig((out / "end/rig.toml").string(), session_->stage().types, session_->stage().frame));
+  ASSERT_EQ(rig.lights.size(), 1U);
+  EXPECT_EQ(rig.lights[0].name, "key");
+  std::ofstream(folder_.file("wrong.jsonl"))
+      << R"({"do": "open", "scene": "ball.obj", "size": [48, 36], "rig": "rig.toml"}
+{"do": "diet", "budget": "much"}
+)";
+  const Error error = error_of(run_script(*device_, roots_, folder_.path() / "wrong.jsonl", out, {}, diagnostics_));
+  EXPECT_NE(error.where.find("wrong.jsonl:2"), std::string::npos) << error.message();
 }
 
 }  // namespace
