@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "prep/decimate.h"
 #include "prep/subdivide.h"
 
 namespace luminist {
@@ -45,8 +46,12 @@ ParamState crowded(const ParamState& state, const SceneFrame& frame, int count) 
   return result;
 }
 
-Result<Scene> subdivided(Scene scene, int levels) {
+Result<Scene> refined(Scene scene, int levels) {
   for (Mesh& mesh : scene.meshes) {
+    if (levels < 0) {
+      mesh = decimate(mesh, std::max<std::size_t>(4, mesh.triangles.size() >> static_cast<unsigned>(-2 * levels)));
+      continue;
+    }
     auto finer = subdivide_loop(mesh, levels);
     if (finer) {
       mesh = std::move(*finer);

@@ -9,8 +9,9 @@ namespace luminist {
 /// through the scene's centre, and together about as bright as the first round is. count >= 1; the rig has lights.
 ParamState crowded(const ParamState& state, const SceneFrame& frame, int count);
 
-/// Every mesh after `levels` steps of Loop's scheme; one that cannot be subdivided stays. Textures go, because texture
+/// Every mesh after `levels` steps of Loop's scheme, or with a quarter of its triangles for each step below 0; one that
+/// cannot be subdivided stays. Textures go, because texture
 /// coordinates do. errors kLimit.
-Result<Scene> subdivided(Scene scene, int levels);
+Result<Scene> refined(Scene scene, int levels);
 
 }  // namespace luminist

@@ -19,6 +19,7 @@ constexpr PerturbReach kReach{0.01, 0.03};
 constexpr PictureSize kSize{256, 256};
 constexpr int kSeeds = 3;
 constexpr std::size_t kMostTriangles = 1'000'000;
+constexpr int kCoarsest = -2;  // steps of a quarter of the triangles
 const char* const kScene = "bust";
 
 /// One measurement: `x` of its axis.
@@ -57,20 +58,20 @@ std::vector<Point> pixel_points() {
   return points;
 }
 
-/// The scene as it is and subdivided until it has the million; written beside the results.
+/// The scene decimated, as it is and subdivided until it has the million; written beside the results.
 Result<std::vector<Point>> triangle_points(const BenchSuite& suite) {
   std::vector<Point> points;
   LUM_TRY(const std::filesystem::path file, AssetRoots::standard().find(demo_scene(kScene).shot.scene));
   Diagnostics diagnostics;
   LUM_TRY(const Scene coarse, load_scene(file.string(), {}, diagnostics));
-  for (int level = 0;; ++level) {
-    LUM_TRY(const Scene scene, subdivided(coarse, level));
+  for (int level = kCoarsest;; ++level) {
+    LUM_TRY(const Scene scene, refined(coarse, level));
     const std::size_t triangles = scene.triangle_count();
     BenchScene named = demo_scene(kScene);
-    named.shot.scene = suite.file(fmt::format("scaling_{}.glb", level));
+    named.shot.scene = suite.file(fmt::format("scaling_{}.glb", level - kCoarsest));
     LUM_TRY_VOID(save_scene(scene, named.shot.scene));
     points.push_back({"triangles", static_cast<double>(triangles), named});
-    const bool grows = level == 0 || static_cast<double>(triangles) > points[points.size() - 2].x;
+    const bool grows = level == kCoarsest || static_cast<double>(triangles) > points[points.size() - 2].x;
     if (triangles >= kMostTriangles || !grows) break;
   }
   return points;
