@@ -115,12 +115,10 @@ class Plot {
       const PlotCurve::Point& to = curve.points[i];
       drawing_.line(at(from.x, from.y), at(to.x, to.y), 2.5F, color);
     }
-    const int y = kTop + 10 + static_cast<int>(index) * 22;
-    const int x = kWidth - kRight - 30 - text_width(curve.name, kTextScale);
-    drawing_.text(x, y, curve.name, kTextScale, color);
+    const int y = kHeight - kBottom - 24 - static_cast<int>(index) * 22;  // lower left: errors fall to the right
+    drawing_.text(kLeft + 40, y, curve.name, kTextScale, color);
     const auto middle = static_cast<float>(y + 7 * kTextScale / 2);
-    drawing_.line({static_cast<float>(kWidth - kRight - 22), middle}, {static_cast<float>(kWidth - kRight - 2), middle},
-                  3.0F, color);
+    drawing_.line({kLeft + 10.0F, middle}, {kLeft + 32.0F, middle}, 3.0F, color);
   }
 
   /// The best so far holds until a better one is found, and to the end of the work.

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "bench/nlopt_solver.h"
+#include "explore/locks.h"
 #include "solve/objective.h"
 #include "solve/progress.h"
 
@@ -156,13 +157,6 @@ Result<double> time_evaluation(Renderer& renderer, const BenchTask& task) {
   }
   std::sort(seconds.begin(), seconds.end());
   return seconds[1];
-}
-
-bool is_free(const Light& light) {
-  for (int dof = 0; dof < light.params.schema().dofs(); ++dof) {
-    if (!light.params.locked(dof)) return true;
-  }
-  return false;
 }
 
 int free_lights(const ParamState& state) {

@@ -45,8 +45,7 @@ Result<BenchRun> run_method(Renderer& renderer, const BenchTask& task, Method me
 /// three. errors the renderer's.
 Result<double> time_evaluation(Renderer& renderer, const BenchTask& task);
 
-/// Whether a light has something to turn; how many have, how many degrees of freedom.
-bool is_free(const Light& light);
+/// Lights with something to turn, and how many degrees of freedom.
 int free_lights(const ParamState& state);
 int free_dofs(const ParamState& state, const SceneFrame& frame);
 /// Their paths, in UnitMap order.

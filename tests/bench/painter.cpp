@@ -4,7 +4,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "bench/method.h"
+#include "explore/locks.h"
 
 namespace luminist {
 namespace {
