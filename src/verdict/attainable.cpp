@@ -1,0 +1,201 @@
+#include "verdict/attainable.h"
+
+#include <algorithm>
+#include <numeric>
+
+#include "solve/color_solve.h"
+
+namespace luminist {
+namespace {
+
+constexpr int kRounds = 10;                 // of reweighting, on some pixels
+constexpr int kLastRounds = 2;              // on all
+constexpr std::size_t kFirstPixels = 4096;  // how many are some
+constexpr double kFloor = 0.01;             // of the mean error: where the un-squared norm is rounded off
+constexpr float kNegative = -1e-3F;  // less is rounding: pictures are stored as floats and summed in another order
+
+bool any_free(const ParamBlock& block) {
+  for (int dof = 0; dof < block.schema().dofs(); ++dof) {
+    if (!block.locked(dof)) return true;
+  }
+  return false;
+}
+
+/// The light's colour, if all that is free of it belongs to it.
+std::optional<int> only_color_free(const ParamBlock& block) {
+  const std::optional<int> color = block.schema().by_role("color");
+  if (!color || block.schema()[*color].type != ParamType::kColor) return std::nullopt;
+  ParamBlock rest = block;
+  rest.set_param_locked(*color, true);
+  if (any_free(rest)) return std::nullopt;
+  return color;
+}
+
+bool bound_exists(const Renderer& renderer, const ParamState& state) {
+  const Style& style = renderer.style();
+  if (style.lights != LightCombination::kSum || style.metric.blur > 0.0F) return false;
+  if (any_free(state.rig.ambient) || any_free(state.style)) return false;
+  const Light* shared = state.rig.shadow_light.empty() ? nullptr : state.rig.find(state.rig.shadow_light);
+  return shared == nullptr || !any_free(shared->params) || only_color_free(shared->params).has_value();
+}
+
+}  // namespace
+
+Result<std::optional<AttainableColors>> AttainableColors::create(Renderer& renderer, const ParamState& state,
+                                                                 const Image& picture) {
+  if (!bound_exists(renderer, state)) return std::optional<AttainableColors>();
+  AttainableColors colors;
+  ParamState locked = state;
+  std::vector<std::size_t> scaled;
+  for (std::size_t i = 0; i < locked.rig.lights.size(); ++i) {
+    Light& light = locked.rig.lights[i];
+    if (light.muted || !any_free(light.params)) continue;
+    if (only_color_free(light.params)) {
+      scaled.push_back(i);
+    } else {
+      colors.open_ = true;
+    }
+    light.muted = true;
+  }
+  LUM_TRY(colors.locked_, renderer.render(locked));
+  for (std::size_t i = 0; i < picture.data.size(); ++i) {
+    if (picture.data[i] - colors.locked_.data[i] < kNegative) return std::optional<AttainableColors>();
+  }
+  for (const std::size_t i : scaled) {
+    ParamState white = locked;
+    white.rig.lights[i].muted = false;
+    ParamBlock& block = white.rig.lights[i].params;
+    const int param = *only_color_free(block);
+    const ParamSpec& spec = block.schema()[param];
+    Scaled part;
+    part.color = block.vec3(param);
+    for (int c = 0; c < 3; ++c) {
+      const auto component = static_cast<std::size_t>(c);
+      const bool free = !block.locked(spec.first_dof + c);
+      part.low[c] =
+          free ? static_cast<float>(spec.stored(c, spec.range_min[component], renderer.frame())) : part.color[c];
+      part.high[c] =
+          free ? static_cast<float>(spec.stored(c, spec.range_max[component], renderer.frame())) : part.color[c];
+    }
+    block.set_vec3(param, Vec3(1.0F));
+    LUM_TRY(part.white, renderer.render(white));
+    for (std::size_t k = 0; k < part.white.data.size(); ++k) part.white.data[k] -= colors.locked_.data[k];
+    colors.scaled_.push_back(std::move(part));
+  }
+  return std::optional(std::move(colors));
+}
+
+/// T - R for given colours, what is not known added where it brings R nearer to T.
+Vec3 AttainableColors::residual(const Target& target, std::size_t pixel, std::span<const Vec3> colors) const {
+  Vec3 rest = target.color.rgb(pixel) - locked_.rgb(pixel);
+  for (std::size_t k = 0; k < scaled_.size(); ++k) rest -= colors[k] * scaled_[k].white.rgb(pixel);
+  return open_ ? glm::min(rest, 0.0F) : rest;
+}
+
+double AttainableColors::weighted_error(const Target& target, std::span<const std::uint32_t> pixels,
+                                        std::span<const Vec3> colors) const {
+  double error = 0.0;
+  double importance = 0.0;
+  for (const std::uint32_t pixel : pixels) {
+    error += target.importance.data[pixel] * glm::length(residual(target, pixel, colors));
+    importance += target.importance.data[pixel];
+  }
+  return importance > 0.0 ? error / importance : 0.0;
+}
+
+/// One channel of the colours, moved to the least squares that are weighted for the un-squared norm.
+void AttainableColors::improve(const Target& target, std::span<const std::uint32_t> pixels, double floor,
+                               glm::length_t channel, std::span<const Vec3> colors, std::span<Vec3> better) const {
+  const std::size_t n = scaled_.size();
+  std::vector<double> a(n * n, 0.0);
+  std::vector<double> b(n, 0.0);
+  std::vector<double> low(n);
+  std::vector<double> high(n);
+  std::vector<double> step(n, 0.0);
+  for (const std::uint32_t pixel : pixels) {
+    const Vec3 r = residual(target, pixel, colors);
+    if (open_ && r[channel] >= 0.0F) continue;  // what is not known fills it
+    const double weight = target.importance.data[pixel] / (glm::length(r) + floor);
+    for (std::size_t i = 0; i < n; ++i) {
+      const double left = weight * scaled_[i].white.rgb(pixel)[channel];
+      b[i] += left * r[channel];
+      for (std::size_t j = 0; j < n; ++j) a[i * n + j] += left * scaled_[j].white.rgb(pixel)[channel];
+    }
+  }
+  for (std::size_t i = 0; i < n; ++i) {
+    low[i] = scaled_[i].low[channel] - colors[i][channel];
+    high[i] = scaled_[i].high[channel] - colors[i][channel];
+  }
+  solve_box(a, b, low, high, step);
+  for (std::size_t i = 0; i < n; ++i) {
+    better[i][channel] =
+        std::clamp(colors[i][channel] + static_cast<float>(step[i]), scaled_[i].low[channel], scaled_[i].high[channel]);
+  }
+}
+
+/// Moves the colours to about the least error; returns it.
+double AttainableColors::fit(const Target& target, std::span<const std::uint32_t> pixels, int rounds,
+                             std::vector<Vec3>& colors) const {
+  double error = weighted_error(target, pixels, colors);
+  for (int round = 0; round < rounds && error > 0.0; ++round) {
+    std::vector<Vec3> goal = colors;
+    for (glm::length_t c = 0; c < 3; ++c) improve(target, pixels, kFloor * error, c, colors, goal);
+    bool better = false;
+    for (float share = 1.0F; share > 0.1F && !better; share *= 0.5F) {
+      std::vector<Vec3> trial = colors;
+      for (std::size_t k = 0; k < trial.size(); ++k) trial[k] += share * (goal[k] - colors[k]);
+      const double trial_error = weighted_error(target, pixels, trial);
+      if (!(trial_error < error)) continue;
+      better = true;
+      colors = std::move(trial);
+      error = trial_error;
+    }
+    if (!better) break;
+  }
+  return error;
+}
+
+double AttainableColors::least_error(const Target& target, std::span<const std::uint32_t> pixels) const {
+  std::vector<std::uint32_t> all;
+  if (pixels.empty()) {
+    all.resize(target.color.pixels());
+    std::iota(all.begin(), all.end(), 0U);
+    pixels = all;
+  }
+  std::vector<std::uint32_t> some;
+  const std::size_t stride = pixels.size() / kFirstPixels + 1;
+  for (std::size_t i = stride / 2; i < pixels.size(); i += stride) some.push_back(pixels[i]);
+  std::vector<Vec3> colors;
+  for (const Scaled& part : scaled_) colors.push_back(glm::clamp(part.color, part.low, part.high));
+  if (!scaled_.empty()) fit(target, some, kRounds, colors);
+  const double error = fit(target, pixels, scaled_.empty() ? 0 : kLastRounds, colors);
+  return bound(target, pixels, colors, kFloor * error);
+}
+
+/// For any y_i with |y_i| <= I_i, and y_i <= 0 where something unknown adds: sum I |T - R| >= sum y (T - R). The right
+/// side is linear in the colours, so its least value lies in a corner of their box. The y of the last least squares
+/// make it almost flat.
+double AttainableColors::bound(const Target& target, std::span<const std::uint32_t> pixels,
+                               std::span<const Vec3> colors, double floor) const {
+  double sum = 0.0;
+  double importance = 0.0;
+  std::vector<glm::dvec3> slope(scaled_.size(), glm::dvec3(0.0));
+  for (const std::uint32_t pixel : pixels) {
+    const double weight = target.importance.data[pixel];
+    importance += weight;
+    const glm::dvec3 r(residual(target, pixel, colors));
+    const double length = glm::length(r) + (scaled_.empty() ? 0.0 : floor);
+    if (!(length > 0.0)) continue;
+    const glm::dvec3 y = weight / length * r;
+    sum += glm::dot(y, glm::dvec3(target.color.rgb(pixel) - locked_.rgb(pixel)));
+    for (std::size_t k = 0; k < scaled_.size(); ++k) slope[k] += y * glm::dvec3(scaled_[k].white.rgb(pixel));
+  }
+  for (std::size_t k = 0; k < scaled_.size(); ++k) {
+    for (glm::length_t c = 0; c < 3; ++c) {
+      sum -= slope[k][c] * static_cast<double>(slope[k][c] > 0.0 ? scaled_[k].high[c] : scaled_[k].low[c]);
+    }
+  }
+  return importance > 0.0 ? std::max(0.0, sum / importance) : 0.0;
+}
+
+}  // namespace luminist

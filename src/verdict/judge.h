@@ -1,0 +1,29 @@
+#pragma once
+// verdict/judge.h -- judges a solve stroke by stroke.
+#include "base/result.h"
+#include "render/renderer.h"
+#include "verdict/verdict.h"
+
+namespace luminist {
+
+struct JudgeOptions {
+  const Light* new_light = nullptr;  ///< as made: what "add a light" adds; null: as the rig's first, if there is one
+};
+
+/// What became of each stroke of `target` in `state`, whose locks are those of the solve and whose picture is
+/// `picture`.
+///
+/// A stroke that the picture shows is met. For any other a search on some of its pixels tries what is free, for this
+/// stroke alone. If that helps, the lights that it found go on with everything that is wished: either the whole gets
+/// better too, on the full picture (missed), or the stroke is conflicting, with whoever must be left out for it to be
+/// met. If it does not help, or is certified not to, the stroke is impossible, and locks are opened one after another
+/// and lights added from many sides to say why. A stroke that nothing brings nearer, of which half came true, is met as
+/// near as light comes.
+///
+/// Works through evaluate() and pictures alone. A style whose metric blurs is judged by the same points without blur.
+/// errors the renderer's. cost 10 to 20 ms for the picture and about 100 ms for each stroke that is not met at any
+/// size of the picture; besides, once if any is not met, the pictures of AttainableColors. thread: the renderer's.
+Result<Verdict> judge(Renderer& renderer, const ParamState& state, const Target& target, const Image& picture,
+                      const JudgeOptions& options = {});
+
+}  // namespace luminist

@@ -1,0 +1,110 @@
+#include "verdict/lock_probe.h"
+
+#include <algorithm>
+
+namespace luminist {
+namespace {
+
+constexpr int kVariants = 9;            // of each group
+constexpr std::size_t kFinalists = 12;  // groups that descend
+
+bool any_locked(const ParamBlock& block, const ParamSpec& spec) {
+  for (int c = 0; c < spec.dofs(); ++c) {
+    if (block.locked(spec.first_dof + c)) return true;
+  }
+  return false;
+}
+
+void include(LockedGroup& group, const ParamBlock& block, int param, const std::string& path) {
+  const ParamSpec& spec = block.schema()[param];
+  group.params.push_back(param);
+  group.patterns.push_back(path + "/" + spec.name);
+  for (int c = 0; c < spec.dofs(); ++c) group.dofs += block.locked(spec.first_dof + c) ? 1 : 0;
+}
+
+bool has_part(const ParamState& state, int block) {
+  const int light = block - light_block(0);
+  const bool of_light = light >= 0 && light < static_cast<int>(state.rig.lights.size());
+  return !of_light || !state.rig.lights[static_cast<std::size_t>(light)].muted;
+}
+
+}  // namespace
+
+std::vector<LockedGroup> locked_groups(const ParamState& state) {
+  std::vector<LockedGroup> groups;
+  const std::vector<const ParamBlock*> blocks = state.blocks();
+  const std::vector<std::string> paths = state.block_paths();
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    if (!has_part(state, static_cast<int>(b))) continue;
+    const ParamSchema& schema = blocks[b]->schema();
+    LockedGroup place;
+    place.block = static_cast<int>(b);
+    for (int param = 0; param < schema.size(); ++param) {
+      const ParamSpec& spec = schema[param];
+      if (spec.quality || !any_locked(*blocks[b], spec)) continue;
+      LockedGroup group;
+      group.block = static_cast<int>(b);
+      include(group, *blocks[b], param, paths[b]);
+      groups.push_back(std::move(group));
+      if (spec.role == "position" || spec.role == "direction") include(place, *blocks[b], param, paths[b]);
+    }
+    if (place.params.size() > 1) groups.push_back(std::move(place));
+  }
+  return groups;
+}
+
+ParamState unlocked(const ParamState& state, const LockedGroup& group) {
+  ParamState next = state;
+  for (const int param : group.params) {
+    next.blocks()[static_cast<std::size_t>(group.block)]->set_param_locked(param, false);
+  }
+  return next;
+}
+
+Result<std::vector<Unlocking>> best_unlockings(Renderer& renderer, const ParamState& state, const SampledWish& wish,
+                                               std::size_t keep) {
+  const std::vector<LockedGroup> groups = locked_groups(state);
+  const WishPlaces places = wish_places(wish, renderer.surface());
+  Random random(wish.samples.id);
+  Reach reach(renderer);
+  std::vector<ParamState> variants;
+  std::vector<std::size_t> first;  // of each group
+  for (const LockedGroup& group : groups) {
+    first.push_back(variants.size());
+    const ParamState free = unlocked(state, group);
+    for (ParamState& v : block_variants(free, group.block, places, renderer.frame(), kVariants, random)) {
+      variants.push_back(std::move(v));
+    }
+  }
+  first.push_back(variants.size());
+  std::vector<Unlocking> found;
+  if (variants.empty()) return found;
+  LUM_TRY(const std::vector<double> errors, reach.measure(variants, wish));
+  std::vector<std::pair<double, std::size_t>> order;  // error of a group's best variant, which one
+  std::vector<std::size_t> best(groups.size());
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    const auto begin = errors.begin() + static_cast<std::ptrdiff_t>(first[g]);
+    const auto end = errors.begin() + static_cast<std::ptrdiff_t>(first[g + 1]);
+    const auto least = std::min_element(begin, end);
+    best[g] = static_cast<std::size_t>(least - errors.begin());
+    order.emplace_back(*least, g);
+  }
+  std::stable_sort(order.begin(), order.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  order.resize(std::min(order.size(), kFinalists));
+  std::vector<ParamState> starts;
+  for (const auto& [error, g] : order) {
+    starts.push_back(unlocked(state, groups[g]));
+    starts.push_back(variants[best[g]]);
+  }
+  LUM_TRY(std::vector<Reached> ends, reach.descend(std::move(starts), wish, 4, 3));
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    Reached& end = ends[2 * k].error <= ends[2 * k + 1].error ? ends[2 * k] : ends[2 * k + 1];
+    found.push_back({groups[order[k].second], std::move(end)});
+  }
+  std::stable_sort(found.begin(), found.end(),
+                   [](const Unlocking& a, const Unlocking& b) { return a.reached.error < b.reached.error; });
+  if (found.size() > keep) found.erase(found.begin() + static_cast<std::ptrdiff_t>(keep), found.end());
+  return found;
+}
+
+}  // namespace luminist

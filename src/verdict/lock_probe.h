@@ -1,0 +1,34 @@
+#pragma once
+// verdict/lock_probe.h -- which lock keeps a wish from being met.
+#include <string>
+#include <vector>
+
+#include "verdict/reach.h"
+
+namespace luminist {
+
+/// Some locked parameters of one block that are unlocked together.
+struct LockedGroup {
+  int block = 0;
+  std::vector<int> params;
+  std::vector<std::string> patterns;  ///< "lights/key/color"
+  int dofs = 0;                       ///< that unlocking frees
+};
+
+/// Each parameter that has a locked degree of freedom, but not qualities; besides, a light's position and direction
+/// together where both are locked. Muted lights have no part in the picture and are left out.
+std::vector<LockedGroup> locked_groups(const ParamState& state);
+
+ParamState unlocked(const ParamState& state, const LockedGroup& group);
+
+struct Unlocking {
+  LockedGroup group;
+  Reached reached;  ///< with the group unlocked, for the wish
+};
+
+/// The `keep` groups whose unlocking brings a state nearest to a wish, nearest first. errors the renderer's.
+/// cost a batch of variants of every group and short descents from the best dozen of them.
+Result<std::vector<Unlocking>> best_unlockings(Renderer& renderer, const ParamState& state, const SampledWish& wish,
+                                               std::size_t keep);
+
+}  // namespace luminist
