@@ -32,6 +32,17 @@ void Console::result(std::string_view line) {
   if (!written && errno != EPIPE && fault_.empty()) fault_ = std::strerror(errno);
 }
 
+void Console::result(const Verdict& verdict) {
+  for (const StrokeVerdict& stroke : verdict.strokes) result(verdict_line(stroke));
+  std::string bounds;
+  if (verdict.least_epsilon) bounds = fmt::format("certainly not below {:.5f}", *verdict.least_epsilon);
+  if (verdict.estimated_epsilon) {
+    bounds += fmt::format("{}about {:.5f} with more lights (estimate)", bounds.empty() ? "" : "; ",
+                          *verdict.estimated_epsilon);
+  }
+  if (!bounds.empty()) result(fmt::format("error {:.5f} with these locks: {}", verdict.epsilon, bounds));
+}
+
 Result<void> Console::finish() {
   clear_progress();
   if (fault_.empty()) return {};

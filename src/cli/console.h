@@ -6,6 +6,7 @@
 #include "base/diagnostics.h"
 #include "base/result.h"
 #include "solve/solve_session.h"
+#include "verdict/verdict.h"
 
 namespace luminist {
 
@@ -17,6 +18,8 @@ class Console {
 
   /// A line of the result. A reader that went away is no fault.
   void result(std::string_view line);
+  /// One line a stroke, and what bounds the error where a stroke is not met.
+  void result(const Verdict& verdict);
   /// errors kUnwritable if a result could not be written (a full disk).
   [[nodiscard]] Result<void> finish();
 

@@ -63,12 +63,17 @@ Result<int> replay(const Words& words, VerbContext& context) {
     console.progress(report);
     return context.signals.stopped() == 0;
   };
-  events.solved = [&](const SolveReport& report, const ParamState& state) {
+  events.solved = [&](const Solved& solved, const ParamState& state) {
     if (words.live && !console.json()) return;  // said with the latencies
-    console.result(console.json() ? solve_to_json(report, state).dump()
-                                  : fmt::format("{}: error {:.5f}, was {:.5f}; {} pictures compared, {:.1f} s; {}",
-                                                report.solver, report.epsilon, report.epsilon_start, report.evals,
-                                                report.seconds, to_string(report.termination)));
+    const SolveReport& report = solved.report;
+    if (console.json()) {
+      console.result(solve_to_json(report, state, solved.verdict).dump());
+      return;
+    }
+    console.result(fmt::format("{}: error {:.5f}, was {:.5f}; {} pictures compared, {:.1f} s; {}", report.solver,
+                               report.epsilon, report.epsilon_start, report.evals, report.seconds,
+                               to_string(report.termination)));
+    if (solved.verdict) console.result(*solved.verdict);
   };
   events.written = [&](const std::filesystem::path& file) {
     if (!console.json()) console.result(file.string());
@@ -115,7 +120,7 @@ Verb declare_replay(CLI::App& app) {
       "  {\"do\": \"contact_sheet\", \"to\": \"sheet.png\"}\n"
       "  {\"do\": \"save\", \"project\": \"x.lum\"}\n"
       "others: set, lock, remove_light, mute, share_shadows, load_rig, style, importance, target, clear_paint, "
-      "revert,\n"
+      "remedy, revert,\n"
       "undo, redo. Inputs are looked for beside the script, then where the program's own files are.");
   return [words](VerbContext& context) { return replay(*words, context); };
 }

@@ -38,9 +38,10 @@ std::string free_values(const ParamBlock& block) {
   return text;
 }
 
-void print_report(Console& console, const SolveReport& report, const ParamState& state) {
+void print_report(Console& console, const Solved& solved, const ParamState& state) {
+  const SolveReport& report = solved.report;
   if (console.json()) {
-    console.result(solve_to_json(report, state).dump());
+    console.result(solve_to_json(report, state, solved.verdict).dump());
     return;
   }
   console.result(
@@ -53,6 +54,7 @@ void print_report(Console& console, const SolveReport& report, const ParamState&
     const std::string found = free_values(*blocks[b]);
     if (!found.empty()) console.result(paths[b] + ":" + found);
   }
+  if (solved.verdict) console.result(*solved.verdict);
 }
 
 /// What the solve found, also where an error ended it: the error is the result then.
@@ -86,9 +88,10 @@ Result<int> solve(const Words& words, VerbContext& context) {
     console.progress(report);
     return deadline.go_on();
   });
+  if (solved && context.signals.stopped() == 0) LUM_TRY_VOID(session->judge());
   LUM_TRY_VOID(write_proposal(*session, words.output, std::move(solved)));
   const SolveReport& report = session->solved()->report;
-  print_report(console, report, session->shown());
+  print_report(console, *session->solved(), session->shown());
   if (!console.json()) console.result(words.output);
   if (context.signals.stopped() != 0) return 128 + context.signals.stopped();
   return words.until && report.epsilon > *words.until ? 1 : 0;
@@ -114,7 +117,7 @@ Verb declare_solve(CLI::App& app) {
   declare_lock_words(app, words->locks);
   declare_solver(app, *words);
   app.add_option("-o,--output", words->output,
-                 "Folder for picture, target, importance, residual, rig.toml and convergence")
+                 "Folder for picture, target, importance, residual, rig.toml, convergence and verdict")
       ->required();
   app.add_flag("--json", words->json, "Prints one object");
   app.footer(

@@ -3,6 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
+
+#include <fmt/format.h>
+
+#include "studio/drawing.h"
 
 namespace luminist {
 namespace {
@@ -40,6 +45,26 @@ Image heat_map(const Image& values, float white) {
     map.set_rgb(pixel, heat_color(white > 0.0F ? values.data[pixel * channels] / white : 0.0F));
   }
   return map;
+}
+
+Image heat_map_with_scale(const Image& values, float white) {
+  constexpr int kBar = 8;
+  constexpr int kGap = 3;
+  const Image map = heat_map(values, white);
+  Image sheet(map.width, map.height + kBar + text_height(1) + 3 * kGap, 3);
+  Drawing drawing(sheet);
+  drawing.picture(0, 0, map);
+  const int top = map.height + kGap;
+  for (int x = 0; x < map.width; ++x) {
+    drawing.fill(x, top, 1, kBar, heat_color((static_cast<float>(x) + 0.5F) / static_cast<float>(map.width)));
+  }
+  const std::string most = fmt::format("{:.3g} or more", white);
+  const std::string brief = fmt::format("{:.3g}", white);
+  const std::string& label = text_width("0 " + most, 1) <= map.width ? most : brief;
+  const Vec3 ink(0.6F);
+  drawing.text(0, top + kBar + kGap, "0", 1, ink);
+  drawing.text(std::max(0, map.width - text_width(label, 1)), top + kBar + kGap, label, 1, ink);
+  return sheet;
 }
 
 float quantile(const Image& values, double share) {

@@ -11,6 +11,9 @@ Vec3 heat_color(float t);
 /// The first channel of an image in such colours; `white` is the value of t = 1.
 Image heat_map(const Image& values, float white);
 
+/// The same over a scale that says what the colours mean: from 0 to `white` and more. A few pixels higher.
+Image heat_map_with_scale(const Image& values, float white);
+
 /// The value below which that share (in [0,1]) of an image's first channel lies. cost O(pixels).
 float quantile(const Image& values, double share);
 

@@ -25,7 +25,8 @@ Results results_of(const Image& picture, const ParamState& lights, const Target&
           residual_map(picture, target),
           rig_to_toml(lights.rig),
           block_to_json(lights.style).dump(2) + "\n",
-          report};
+          report,
+          std::nullopt};
 }
 
 }  // namespace
@@ -36,8 +37,10 @@ Result<Results> collect_results(Session& session) {
   LUM_TRY(const Target* target, session.target());
   if (for_solve) target = &solved->target;
   LUM_TRY(const Image* picture, session.picture());
-  return results_of(*picture, session.shown(), *target,
-                    solved != nullptr ? std::optional(solved->report) : std::nullopt);
+  Results results =
+      results_of(*picture, session.shown(), *target, solved != nullptr ? std::optional(solved->report) : std::nullopt);
+  if (solved != nullptr) results.verdict = solved->verdict;
+  return results;
 }
 
 Result<Results> collect_results(const Session& session, const ParamState& lights, const Target& target,
@@ -62,7 +65,7 @@ Result<void> write_results(const Results& results, const std::filesystem::path& 
   // A few bright pixels must not darken the rest of the map.
   const float white = std::max(quantile(results.residual, 0.995), 1e-6F);
   const Image importance = importance_picture(results.importance);
-  const Image residual = heat_map(results.residual, white);
+  const Image residual = heat_map_with_scale(results.residual, white);
   Image plot;
   const auto in_folder = [&](const char* name) { return (folder / name).string(); };
   std::vector<ImageFile> files = {
@@ -75,10 +78,13 @@ Result<void> write_results(const Results& results, const std::filesystem::path& 
     plot = convergence_plot(*results.report);
     files.push_back({in_folder("convergence.png"), &plot});
   }
+  if (results.verdict) {
+    LUM_TRY_VOID(write_file_atomic(folder / "verdict.json", verdict_to_json(*results.verdict).dump(2) + "\n"));
+  }
   return write_images(files);
 }
 
-Json solve_to_json(const SolveReport& report, const ParamState& state) {
+Json solve_to_json(const SolveReport& report, const ParamState& state, const std::optional<Verdict>& verdict) {
   Json lights = Json::array();
   for (const Light& light : state.rig.lights) {
     Json unlocked = Json::array();
@@ -94,16 +100,18 @@ Json solve_to_json(const SolveReport& report, const ParamState& state) {
                       {"unlocked", std::move(unlocked)},
                       {"params", block_to_json(light.params)}});
   }
-  return {{"epsilon_start", report.epsilon_start},
-          {"epsilon", report.epsilon},
-          {"evals", report.evals},
-          {"render_equivalents", report.render_equivalents},
-          {"seconds", report.seconds},
-          {"solver", report.solver},
-          {"termination", to_string(report.termination)},
-          {"lights", std::move(lights)},
-          {"ambient", block_to_json(state.rig.ambient)},
-          {"style", block_to_json(state.style)}};
+  Json json = {{"epsilon_start", report.epsilon_start},
+               {"epsilon", report.epsilon},
+               {"evals", report.evals},
+               {"render_equivalents", report.render_equivalents},
+               {"seconds", report.seconds},
+               {"solver", report.solver},
+               {"termination", to_string(report.termination)},
+               {"lights", std::move(lights)},
+               {"ambient", block_to_json(state.rig.ambient)},
+               {"style", block_to_json(state.style)}};
+  if (verdict) json["verdict"] = verdict_to_json(*verdict);
+  return json;
 }
 
 std::string convergence_lines(const SolveReport& report) {

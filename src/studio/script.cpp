@@ -42,6 +42,7 @@ const std::vector<ScriptRunner::Verb>& ScriptRunner::verbs() {
       {"make_up", {"light", "to", "solver", "seed", "max_evals", "until", "restarts"}, &R::make_up},
       {"alternatives", {"count", "within", "tries", "seed", "to", "take"}, &R::alternatives},
       {"diet", {"budget", "fewest", "breadth", "seed", "to", "take"}, &R::diet},
+      {"remedy", {"stroke"}, &R::remedy},
       {"accept", kNone, &R::accept},
       {"revert", kNone, &R::revert},
       {"undo", {"steps"}, &R::step_history},

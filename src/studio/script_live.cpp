@@ -67,8 +67,9 @@ Result<void> ScriptRunner::run_live(std::span<const Action> group, const LiveRep
   LUM_TRY(const Target* target, session_->target());
   session_->propose(painting.best(), {how.solve, report, *target, "Accept a live solve"});
   if (stopped) return export_stopped();
+  LUM_TRY_VOID(session_->judge());
   if (events_.live) events_.live(measure);
-  if (events_.solved) events_.solved(report, session_->shown());
+  if (events_.solved) events_.solved(*session_->solved(), session_->shown());
   return {};
 }
 

@@ -69,6 +69,7 @@ class ScriptRunner {
   Result<void> make_up(const Action& action);
   Result<void> alternatives(const Action& action);
   Result<void> diet(const Action& action);
+  Result<void> remedy(const Action& action);
   Result<void> accept(const Action& action);
   Result<void> revert(const Action& action);
   Result<void> step_history(const Action& action);

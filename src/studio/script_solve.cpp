@@ -67,8 +67,17 @@ Result<void> ScriptRunner::solve(const Action& action) {
     return !cancelled && !late;
   }));
   if (cancelled) return export_stopped();
-  if (events_.solved) events_.solved(session_->solved()->report, session_->shown());
+  LUM_TRY_VOID(session_->judge());
+  if (events_.solved) events_.solved(*session_->solved(), session_->shown());
   return {};
+}
+
+Result<void> ScriptRunner::remedy(const Action& action) {
+  LUM_TRY(const auto stroke, action.number("stroke"));
+  if (!stroke || !(*stroke >= 1.0 && *stroke <= 1e9 && *stroke == std::floor(*stroke))) {
+    return action.wrong("the number of a stroke is wanted", "stroke");
+  }
+  return session_->apply_remedy(static_cast<std::uint32_t>(*stroke));
 }
 
 /// The best so far; the error that ends the script.

@@ -53,8 +53,7 @@ class Session {
   [[nodiscard]] const ParamState& shown() const { return solve_ ? solve_->best() : proposed_ ? *proposed_ : state_; }
   /// The picture of shown(). Valid until the next call. errors the renderer's.
   Result<const Image*> picture();
-  /// What is painted on, as it is now, to go on with beside the session (studio/live_painting.h), which outlives it.
-  /// errors the same.
+  /// What is painted on, to go on with beside the session (studio/live_painting.h), which outlives it. errors the same.
   Result<Canvas> canvas_copy();
   /// What is painted. Valid until the next call. errors the renderer's; a tile that is gone.
   Result<const Target*> target();
@@ -87,8 +86,7 @@ class Session {
   /// A target made elsewhere, in place of paint; other sizes are scaled, pixels that are not finite do not count (both
   /// with a warning). Without an importance map every pixel counts 1. errors kBadContent.
   Result<void> set_target(const Image& color, const std::optional<Image>& importance);
-  /// errors kNothingToDo.
-  Result<void> clear_paint();
+  Result<void> clear_paint();  ///< errors kNothingToDo
 
   // Solving --------------------------------------------------------------------------------------------------------
   /// errors kNothingToDo: nothing painted, everything locked, nothing counts.
@@ -105,6 +103,8 @@ class Session {
   [[nodiscard]] bool has_proposal() const { return solve_ || proposed_; }
   /// Lights that were found elsewhere become the proposal.
   void propose(ParamState lights, Solved solved);
+  Result<const Verdict*> judge();                   ///< what became of each stroke of the proposal; kept in solved()
+  Result<void> apply_remedy(std::uint32_t stroke);  ///< what the verdict advises; errors kNothingToDo
   /// The proposal becomes the lights in force, its picture what is painted on; or it goes. errors kNothingToDo.
   Result<void> accept();
   Result<void> revert();

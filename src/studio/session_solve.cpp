@@ -52,6 +52,7 @@ void Session::drop_proposal() {
 Result<bool> Session::continue_solve(std::chrono::milliseconds slice) {
   if (!solve_) return no_proposal();
   picture_.reset();
+  solved_->verdict.reset();
   return solve_->run_for(slice);
 }
 

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "solve/color_solve.h"
+#include "verdict/lock_probe.h"
 
 namespace luminist {
 namespace {
@@ -13,13 +14,6 @@ constexpr int kLastRounds = 2;              // on all
 constexpr std::size_t kFirstPixels = 4096;  // how many are some
 constexpr double kFloor = 0.01;             // of the mean error: where the un-squared norm is rounded off
 constexpr float kNegative = -1e-3F;  // less is rounding: pictures are stored as floats and summed in another order
-
-bool any_free(const ParamBlock& block) {
-  for (int dof = 0; dof < block.schema().dofs(); ++dof) {
-    if (!block.locked(dof)) return true;
-  }
-  return false;
-}
 
 /// The light's colour, if all that is free of it belongs to it.
 std::optional<int> only_color_free(const ParamBlock& block) {
@@ -169,12 +163,12 @@ double AttainableColors::least_error(const Target& target, std::span<const std::
   for (const Scaled& part : scaled_) colors.push_back(glm::clamp(part.color, part.low, part.high));
   if (!scaled_.empty()) fit(target, some, kRounds, colors);
   const double error = fit(target, pixels, scaled_.empty() ? 0 : kLastRounds, colors);
-  return bound(target, pixels, colors, kFloor * error);
+  return std::max(bound(target, pixels, colors, 0.0), bound(target, pixels, colors, kFloor * error));
 }
 
 /// For any y_i with |y_i| <= I_i, and y_i <= 0 where something unknown adds: sum I |T - R| >= sum y (T - R). The right
 /// side is linear in the colours, so its least value lies in a corner of their box. The y of the last least squares
-/// make it almost flat.
+/// make it almost flat; those without its floor are better where colours stop at their range.
 double AttainableColors::bound(const Target& target, std::span<const std::uint32_t> pixels,
                                std::span<const Vec3> colors, double floor) const {
   double sum = 0.0;
@@ -184,7 +178,7 @@ double AttainableColors::bound(const Target& target, std::span<const std::uint32
     const double weight = target.importance.data[pixel];
     importance += weight;
     const glm::dvec3 r(residual(target, pixel, colors));
-    const double length = glm::length(r) + (scaled_.empty() ? 0.0 : floor);
+    const double length = glm::length(r) + floor;
     if (!(length > 0.0)) continue;
     const glm::dvec3 y = weight / length * r;
     sum += glm::dot(y, glm::dvec3(target.color.rgb(pixel) - locked_.rgb(pixel)));

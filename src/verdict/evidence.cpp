@@ -71,8 +71,31 @@ Result<Trial> Evidence::together(int region, std::vector<ParamState> starts, int
   LUM_TRY(std::vector<Reached> ends, reach_.descend(std::move(starts), wished, 4, 5));
   Reached& best =
       *std::min_element(ends.begin(), ends.end(), [](const Reached& a, const Reached& b) { return a.error < b.error; });
-  LUM_TRY(const std::vector<double> own, reach_.measure({&best.state, 1}, wish(region)));
-  return Trial{std::move(best.state), own[0], best.error};
+  LUM_TRY(const double own, own_error(region, best.state));
+  return Trial{std::move(best.state), own, best.error};
+}
+
+Result<double> Evidence::own_error(int region, const ParamState& state) {
+  LUM_TRY(const std::vector<double> own, reach_.measure({&state, 1}, wish(region)));
+  return own[0];
+}
+
+Result<std::vector<double>> Evidence::damages(const ParamState& state) {
+  std::vector<Vec3> colors(everything_.target.size());
+  const Candidate candidate{&state, Candidate::kAllLights};
+  LUM_TRY_VOID(renderer_->evaluate({&candidate, 1}, everything_.samples, {}, colors));
+  std::vector<double> damage(regions_.size(), 0.0);
+  for (std::size_t i = 0; i < colors.size(); ++i) {
+    const Vec3& wanted = everything_.target[i];
+    damage[static_cast<std::size_t>(everything_.region[i])] +=
+        everything_.weight[i] * (glm::distance(wanted, colors[i]) - glm::distance(wanted, colors_[i]));
+  }
+  return damage;
+}
+
+Result<Reached> Evidence::rival(std::vector<ParamState> starts) {
+  starts.insert(starts.begin(), *state_);
+  return reach_.search(std::move(starts), everything_, kVariants, 0.0);
 }
 
 Result<std::vector<Unlocking>> Evidence::unlockings(int region, std::size_t keep) {

@@ -41,6 +41,12 @@ class Evidence {
   Result<Reached> alone(int region, const ParamState& start, bool thorough);
   /// On from some states with everything that is wished but region `left_out` (-1: nothing).
   Result<Trial> together(int region, std::vector<ParamState> starts, int left_out = -1);
+  /// What each region loses, by its share, when the lights become those.
+  Result<std::vector<double>> damages(const ParamState& state);
+  /// The best lights for everything that is wished that a search from some states finds.
+  Result<Reached> rival(std::vector<ParamState> starts);
+  /// How near a state comes to one stroke, on samples.
+  Result<double> own_error(int region, const ParamState& state);
   Result<std::vector<Unlocking>> unlockings(int region, std::size_t keep);
   /// A light more for one stroke: the best single one of a bank, and what it comes to with everything that is wished.
   struct Addition {

@@ -30,6 +30,23 @@ bool has_part(const ParamState& state, int block) {
 
 }  // namespace
 
+bool any_free(const ParamBlock& block) {
+  for (int dof = 0; dof < block.schema().dofs(); ++dof) {
+    if (!block.locked(dof)) return true;
+  }
+  return false;
+}
+
+bool role_free(const ParamBlock& block, std::string_view role) {
+  const auto param = block.schema().by_role(role);
+  if (!param) return false;
+  const ParamSpec& spec = block.schema()[*param];
+  for (int c = 0; c < spec.dofs(); ++c) {
+    if (!block.locked(spec.first_dof + c)) return true;
+  }
+  return false;
+}
+
 std::vector<LockedGroup> locked_groups(const ParamState& state) {
   std::vector<LockedGroup> groups;
   const std::vector<const ParamBlock*> blocks = state.blocks();
@@ -68,18 +85,20 @@ Result<std::vector<Unlocking>> best_unlockings(Renderer& renderer, const ParamSt
   Random random(wish.samples.id);
   Reach reach(renderer);
   std::vector<ParamState> variants;
+  std::vector<int> blocks;
   std::vector<std::size_t> first;  // of each group
   for (const LockedGroup& group : groups) {
     first.push_back(variants.size());
     const ParamState free = unlocked(state, group);
     for (ParamState& v : block_variants(free, group.block, places, renderer.frame(), kVariants, random)) {
       variants.push_back(std::move(v));
+      blocks.push_back(group.block);
     }
   }
   first.push_back(variants.size());
   std::vector<Unlocking> found;
   if (variants.empty()) return found;
-  LUM_TRY(const std::vector<double> errors, reach.measure(variants, wish));
+  LUM_TRY(const std::vector<double> errors, reach.settle_colors(variants, blocks, wish));
   std::vector<std::pair<double, std::size_t>> order;  // error of a group's best variant, which one
   std::vector<std::size_t> best(groups.size());
   for (std::size_t g = 0; g < groups.size(); ++g) {

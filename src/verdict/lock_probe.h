@@ -1,11 +1,16 @@
 #pragma once
 // verdict/lock_probe.h -- which lock keeps a wish from being met.
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "verdict/reach.h"
 
 namespace luminist {
+
+/// Whether the solver may turn anything of a block, or of its first parameter with a role.
+bool any_free(const ParamBlock& block);
+bool role_free(const ParamBlock& block, std::string_view role);
 
 /// Some locked parameters of one block that are unlocked together.
 struct LockedGroup {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "solve/color_solve.h"
@@ -43,6 +44,38 @@ int part_of(const Renderer& renderer, const ParamState& state, const Dof& dof) {
 
 bool is_position(const ParamState& state, const Dof& dof) {
   return state.blocks()[static_cast<std::size_t>(dof.block)]->schema()[dof.param].role == "position";
+}
+
+/// A block's colour, if all of it is free.
+std::optional<int> free_color(const ParamState& state, int block) {
+  const ParamBlock& params = *state.blocks()[static_cast<std::size_t>(block)];
+  const std::optional<int> color = params.schema().by_role("color");
+  if (!color || params.schema()[*color].type != ParamType::kColor) return std::nullopt;
+  for (int c = 0; c < 3; ++c) {
+    if (params.locked(params.schema()[*color].first_dof + c)) return std::nullopt;
+  }
+  return color;
+}
+
+/// How many times as strong the colour fits best, by least squares, within its range.
+Vec3 color_factor(const ParamBlock& block, int color, std::span<const Vec3> with, std::span<const Vec3> without,
+                  const SampledWish& wish, const SceneFrame& frame) {
+  const ParamSpec& spec = block.schema()[color];
+  Vec3 factor(1.0F);
+  for (int c = 0; c < 3; ++c) {
+    double above = 0.0;
+    double below = 0.0;
+    for (std::size_t i = 0; i < with.size(); ++i) {
+      const double part = static_cast<double>(with[i][c]) - without[i][c];
+      above += wish.weight[i] * part * (static_cast<double>(wish.target[i][c]) - without[i][c]);
+      below += wish.weight[i] * part * part;
+    }
+    const double now = block.get(color, c);
+    if (!(below > 0.0) || !(now > 0.0)) continue;
+    const double most = spec.stored(c, spec.range_max[static_cast<std::size_t>(c)], frame) / now;
+    factor[c] = static_cast<float>(std::clamp(above / below, 0.0, std::max(0.0, most)));
+  }
+  return factor;
 }
 
 }  // namespace
@@ -168,6 +201,33 @@ Result<std::vector<double>> Reach::measure(std::span<const ParamState> states, c
   return errors;
 }
 
+Result<std::vector<double>> Reach::settle_colors(std::vector<ParamState>& variants, std::span<const int> blocks,
+                                                 const SampledWish& wish) {
+  std::vector<ParamState> dark;
+  for (std::size_t k = 0; k < variants.size(); ++k) {
+    dark.push_back(variants[k]);
+    const std::optional<int> color = free_color(variants[k], blocks[k]);
+    if (color) dark.back().blocks()[static_cast<std::size_t>(blocks[k])]->set_vec3(*color, Vec3(0.0F));
+  }
+  std::vector<Candidate> batch;
+  for (const ParamState& state : variants) batch.push_back({&state, Candidate::kAllLights});
+  for (const ParamState& state : dark) batch.push_back({&state, Candidate::kAllLights});
+  LUM_TRY(const auto pictures, colors(batch, wish, kSharp));
+  std::vector<double> errors;
+  for (std::size_t k = 0; k < variants.size(); ++k) {
+    const std::vector<Vec3>& without = pictures[variants.size() + k];
+    std::vector<Vec3> picture = pictures[k];
+    if (const std::optional<int> color = free_color(variants[k], blocks[k])) {
+      ParamBlock& block = *variants[k].blocks()[static_cast<std::size_t>(blocks[k])];
+      const Vec3 factor = color_factor(block, *color, picture, without, wish, renderer_->frame());
+      block.set_vec3(*color, factor * block.vec3(*color));
+      for (std::size_t i = 0; i < picture.size(); ++i) picture[i] = without[i] + factor * (picture[i] - without[i]);
+    }
+    errors.push_back(wish.error(picture));
+  }
+  return errors;
+}
+
 Result<void> Reach::iterate(std::vector<Descent>& descents, const SampledWish& wish, const Softness& softness,
                             double position_step) {
   std::vector<Candidate> batch;
@@ -228,14 +288,16 @@ Result<Reached> Reach::search(std::vector<ParamState> starts, const SampledWish&
   Reached best = *std::min_element(ends.begin(), ends.end(), nearer);
   if (best.error <= enough) return best;
   std::vector<ParamState> pool;
+  std::vector<int> blocks;
   const ParamState& first = best.state;
   for (int block = 0; block < static_cast<int>(first.blocks().size()); ++block) {
     for (ParamState& variant : block_variants(first, block, places, renderer_->frame(), variants, random)) {
       pool.push_back(std::move(variant));
+      blocks.push_back(block);
     }
   }
   if (pool.empty()) return best;
-  LUM_TRY(const std::vector<double> errors, measure(pool, wish));
+  LUM_TRY(const std::vector<double> errors, settle_colors(pool, blocks, wish));
   std::vector<std::size_t> order(pool.size());
   for (std::size_t k = 0; k < order.size(); ++k) order[k] = k;
   std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) { return errors[a] < errors[b]; });

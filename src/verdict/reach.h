@@ -26,6 +26,11 @@ class Reach {
   /// The error of states on the real picture. cost one batch.
   Result<std::vector<double>> measure(std::span<const ParamState> states, const SampledWish& wish);
 
+  /// Variants of one block each, whose colour (role "color") is turned to what fits the wish best where it is free: the
+  /// samples are taken to be linear in it. returns their errors, as far as that holds. cost one batch.
+  Result<std::vector<double>> settle_colors(std::vector<ParamState>& variants, std::span<const int> blocks,
+                                            const SampledWish& wish);
+
   /// Goes on from each state: `soft` iterations with widened edges, then `sharp` ones. result [starts.size()], none
   /// worse than its start. errors the renderer's.
   Result<std::vector<Reached>> descend(std::vector<ParamState> starts, const SampledWish& wish, int soft, int sharp);

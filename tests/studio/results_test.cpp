@@ -45,6 +45,18 @@ TEST(HeatMap, GrowsLighterEvenly) {
   EXPECT_EQ(heat_color(NAN), heat_color(1.0F));
 }
 
+TEST(HeatMap, ItsScaleRunsFromZeroToWhiteBelowThePicture) {
+  const Image values(64, 10, 1, 0.25F);
+  const Image plain = heat_map(values, 0.5F);
+  const Image sheet = heat_map_with_scale(values, 0.5F);
+  ASSERT_EQ(sheet.width, 64);
+  ASSERT_GT(sheet.height, 20);
+  for (std::size_t i = 0; i < plain.pixels(); ++i) ASSERT_EQ(sheet.rgb(i), plain.rgb(i));
+  const std::size_t bar = sheet.index(0, 16);
+  EXPECT_EQ(sheet.rgb(bar), heat_color(0.5F / 64.0F));
+  EXPECT_EQ(sheet.rgb(bar + 63), heat_color(63.5F / 64.0F));
+}
+
 TEST(HeatMap, FindsQuantiles) {
   Image values(5, 1, 1);
   values.data = {4.0F, NAN, 1.0F, 3.0F, 2.0F};

@@ -1,0 +1,92 @@
+#include "verdict/stroke_region.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "solve/fake_renderer.h"
+
+namespace luminist {
+namespace {
+
+class StrokeRegionTest : public testing::Test {
+ protected:
+  StrokeRegionTest() {
+    ParamState state = fake_.empty_state();
+    target_ = fake_.target_of(state, state);
+    for (std::uint32_t i = 0; i < target_.stroke.size(); ++i) {
+      if (fake_.surface().object[i] == 3) target_.stroke[i] = 2;
+    }
+  }
+  FakeRenderer fake_{64, 48};
+  Target target_;
+};
+
+TEST_F(StrokeRegionTest, EveryVisiblePixelThatCountsBelongsToItsStroke) {
+  target_.importance.data[5] = 0.0F;
+  const std::vector<StrokeRegion> regions = stroke_regions(fake_.surface(), target_);
+  ASSERT_EQ(regions.size(), 2U);
+  EXPECT_EQ(regions[0].stroke, 0U);
+  EXPECT_EQ(regions[1].stroke, 2U);
+  EXPECT_EQ(regions[1].object, "sphere 1");
+  std::size_t visible = 0;
+  for (const std::uint32_t object : fake_.surface().object) visible += object != 0 ? 1 : 0;
+  EXPECT_EQ(regions[0].pixels.size() + regions[1].pixels.size(), visible - 1);
+}
+
+TEST_F(StrokeRegionTest, PaintOnTheBackgroundIsCountedApart) {
+  SurfaceBuffer surface = fake_.surface();
+  surface.object[7] = 0;
+  target_.stroke[7] = 9;
+  const std::vector<StrokeRegion> regions = stroke_regions(surface, target_);
+  EXPECT_EQ(regions.back().stroke, 9U);
+  EXPECT_TRUE(regions.back().pixels.empty());
+  EXPECT_EQ(regions.back().empty_pixels, 1U);
+  EXPECT_EQ(regions.back().object, "");
+}
+
+TEST_F(StrokeRegionTest, TheShortfallIsMeasuredAgainstTheWish) {
+  const StrokeRegion region = stroke_regions(fake_.surface(), target_)[1];
+  Image picture = target_.before;
+  for (const std::uint32_t pixel : region.pixels) {
+    target_.color.set_rgb(pixel, target_.before.rgb(pixel) + Vec3(0.4F, 0.0F, 0.0F));
+    picture.set_rgb(pixel, target_.before.rgb(pixel) + Vec3(0.3F, 0.0F, 0.0F));
+  }
+  const Shortfall unchanged = shortfall(region, target_, target_.before);
+  EXPECT_NEAR(unchanged.wished, 0.4, 1e-6);
+  EXPECT_NEAR(unchanged.missed, 0.4, 1e-6);
+  EXPECT_FALSE(unchanged.met());
+  EXPECT_NEAR(unchanged.attained(), 0.0, 1e-6);
+  const Shortfall near = shortfall(region, target_, picture);
+  EXPECT_NEAR(near.missed, 0.1, 1e-6);
+  EXPECT_NEAR(near.light, 0.1, 1e-6);
+  EXPECT_NEAR(near.dark, 0.0, 1e-6);
+  EXPECT_NEAR(near.attained(), 0.75, 1e-5);
+  EXPECT_TRUE(near.met());
+}
+
+TEST_F(StrokeRegionTest, SamplesKeepTheShareOfEachStroke) {
+  for (std::uint32_t i = 0; i < target_.stroke.size(); ++i) {
+    target_.importance.data[i] = target_.stroke[i] == 2 ? 1.0F : 0.1F;
+  }
+  const std::vector<StrokeRegion> regions = stroke_regions(fake_.surface(), target_);
+  const SampledWish wish = sample_regions(regions, fake_.surface(), target_, 20);
+  EXPECT_EQ(wish.samples.pixels.size(), 40U);
+  EXPECT_EQ(std::set<std::uint32_t>(wish.samples.pixels.begin(), wish.samples.pixels.end()).size(), 40U);
+  double share = 0.0;
+  double sum = 0.0;
+  for (std::size_t i = 0; i < wish.weight.size(); ++i) {
+    sum += wish.weight[i];
+    share += wish.region[i] == 1 ? wish.weight[i] : 0.0;
+  }
+  const auto painted = static_cast<double>(regions[1].pixels.size());
+  const auto rest = static_cast<double>(regions[0].pixels.size());
+  EXPECT_NEAR(sum, 1.0, 1e-12);
+  EXPECT_NEAR(share, painted / (painted + 0.1 * rest), 1e-6);  // importance is stored as floats
+  const SampledWish part = only_region(wish, 1);
+  EXPECT_EQ(part.samples.pixels.size(), 20U);
+  EXPECT_NE(part.samples.id, wish.samples.id);
+}
+
+}  // namespace
+}  // namespace luminist
