@@ -48,7 +48,7 @@ Result<void> ScriptRunner::make_up(const Action& action) {
     LUM_TRY_VOID(write_removal(*session_, facts, output_ / *to));
     if (events_.written) events_.written(output_ / *to);
   }
-  if (events_.solved) events_.solved(report, session_->shown());
+  if (events_.solved) events_.solved(*session_->solved(), session_->shown());
   return {};
 }
 

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "verdict/reach.h"
+#include "verdict/quick_search.h"
 
 namespace luminist {
 namespace {

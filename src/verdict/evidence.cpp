@@ -58,7 +58,7 @@ bool Evidence::helps_all(int region, const Trial& trial) const {
 
 Result<Reached> Evidence::alone(int region, const ParamState& start, bool thorough) {
   const double enough = 0.15 * shortfall(region).wished + 0.002;
-  return reach_.search({start}, wish(region), thorough ? kThorough : kVariants, enough);
+  return search_.search({start}, wish(region), thorough ? kThorough : kVariants, enough);
 }
 
 Result<Trial> Evidence::together(int region, std::vector<ParamState> starts, int left_out) {
@@ -68,7 +68,7 @@ Result<Trial> Evidence::together(int region, std::vector<ParamState> starts, int
       if (wished.region[i] == left_out) wished.weight[i] = 0.0;
     }
   }
-  LUM_TRY(std::vector<Reached> ends, reach_.descend(std::move(starts), wished, 4, 5));
+  LUM_TRY(std::vector<Reached> ends, search_.descend(std::move(starts), wished, 4, 5));
   Reached& best =
       *std::min_element(ends.begin(), ends.end(), [](const Reached& a, const Reached& b) { return a.error < b.error; });
   LUM_TRY(const double own, own_error(region, best.state));
@@ -76,7 +76,7 @@ Result<Trial> Evidence::together(int region, std::vector<ParamState> starts, int
 }
 
 Result<double> Evidence::own_error(int region, const ParamState& state) {
-  LUM_TRY(const std::vector<double> own, reach_.measure({&state, 1}, wish(region)));
+  LUM_TRY(const std::vector<double> own, search_.measure({&state, 1}, wish(region)));
   return own[0];
 }
 
@@ -95,7 +95,7 @@ Result<std::vector<double>> Evidence::damages(const ParamState& state) {
 
 Result<Reached> Evidence::rival(std::vector<ParamState> starts) {
   starts.insert(starts.begin(), *state_);
-  return reach_.search(std::move(starts), everything_, kVariants, 0.0);
+  return search_.search(std::move(starts), everything_, kVariants, 0.0);
 }
 
 Result<std::vector<Unlocking>> Evidence::unlockings(int region, std::size_t keep) {
@@ -115,7 +115,7 @@ Result<std::optional<Evidence::Addition>> Evidence::added_light(int region) {
   const LightBank::Pick pick = bank.best(weight);
   if (!(pick.gain > 0.0)) return std::optional<Addition>();
   const ParamState start = with_light(*state_, *new_light_, pick.light, "light");
-  LUM_TRY(std::vector<Reached> alone, reach_.descend({start}, wish(region), 3, 3));
+  LUM_TRY(std::vector<Reached> alone, search_.descend({start}, wish(region), 3, 3));
   LUM_TRY(Trial trial, together(region, {start, alone[0].state}));
   return std::optional(Addition{pick.light, std::move(alone[0]), std::move(trial)});
 }

@@ -6,7 +6,7 @@
 #include "verdict/attainable.h"
 #include "verdict/light_bank.h"
 #include "verdict/lock_probe.h"
-#include "verdict/reach.h"
+#include "verdict/quick_search.h"
 
 namespace luminist {
 
@@ -68,14 +68,14 @@ class Evidence {
 
  private:
   Evidence(Renderer& renderer, const ParamState& state, const Target& target, const Image& picture)
-      : renderer_(&renderer), state_(&state), target_(&target), picture_(&picture), reach_(renderer) {}
+      : renderer_(&renderer), state_(&state), target_(&target), picture_(&picture), search_(renderer) {}
 
   Renderer* renderer_;
   const ParamState* state_;
   const Target* target_;
   const Image* picture_;
   const Light* new_light_ = nullptr;
-  Reach reach_;
+  QuickSearch search_;
   std::vector<StrokeRegion> regions_;
   std::vector<Shortfall> shortfalls_;
   SampledWish everything_;

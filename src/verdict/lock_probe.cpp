@@ -83,7 +83,7 @@ Result<std::vector<Unlocking>> best_unlockings(Renderer& renderer, const ParamSt
   const std::vector<LockedGroup> groups = locked_groups(state);
   const WishPlaces places = wish_places(wish, renderer.surface());
   Random random(wish.samples.id);
-  Reach reach(renderer);
+  QuickSearch search(renderer);
   std::vector<ParamState> variants;
   std::vector<int> blocks;
   std::vector<std::size_t> first;  // of each group
@@ -98,7 +98,7 @@ Result<std::vector<Unlocking>> best_unlockings(Renderer& renderer, const ParamSt
   first.push_back(variants.size());
   std::vector<Unlocking> found;
   if (variants.empty()) return found;
-  LUM_TRY(const std::vector<double> errors, reach.settle_colors(variants, blocks, wish));
+  LUM_TRY(const std::vector<double> errors, search.settle_colors(variants, blocks, wish));
   std::vector<std::pair<double, std::size_t>> order;  // error of a group's best variant, which one
   std::vector<std::size_t> best(groups.size());
   for (std::size_t g = 0; g < groups.size(); ++g) {
@@ -115,7 +115,7 @@ Result<std::vector<Unlocking>> best_unlockings(Renderer& renderer, const ParamSt
     starts.push_back(unlocked(state, groups[g]));
     starts.push_back(variants[best[g]]);
   }
-  LUM_TRY(std::vector<Reached> ends, reach.descend(std::move(starts), wish, 4, 3));
+  LUM_TRY(std::vector<Reached> ends, search.descend(std::move(starts), wish, 4, 3));
   for (std::size_t k = 0; k < order.size(); ++k) {
     Reached& end = ends[2 * k].error <= ends[2 * k + 1].error ? ends[2 * k] : ends[2 * k + 1];
     found.push_back({groups[order[k].second], std::move(end)});

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "verdict/reach.h"
+#include "verdict/quick_search.h"
 
 namespace luminist {
 

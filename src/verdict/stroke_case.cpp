@@ -61,7 +61,8 @@ StrokeCase::StrokeCase(Evidence& evidence, const SceneFrame& frame, const Target
 bool StrokeCase::open() {
   const StrokeRegion& paint = evidence_->regions()[static_cast<std::size_t>(region_)];
   if (paint.pixels.empty()) {
-    rule(Outcome::kImpossible, Cause::kNothingThere, "the paint lies on the background, where light shows nothing");
+    rule(StrokeOutcome::kImpossible, Cause::kNothingThere,
+         "the paint lies on the background, where light shows nothing");
     return false;
   }
   return !evidence_->shortfall(region_).met();
@@ -93,7 +94,7 @@ Result<void> StrokeCase::decide(const std::optional<Rival>& rival) {
   return weigh(*alone());
 }
 
-void StrokeCase::rule(Outcome outcome, Cause cause, std::string text) {
+void StrokeCase::rule(StrokeOutcome outcome, Cause cause, std::string text) {
   verdict_.outcome = outcome;
   verdict_.cause = cause;
   verdict_.text = std::move(text);
@@ -108,7 +109,7 @@ Result<Reached> StrokeCase::reach_alone() {
 }
 
 void StrokeCase::miss(const Rival& rival) {
-  rule(Outcome::kMissed, Cause::kSearchEnded,
+  rule(StrokeOutcome::kMissed, Cause::kSearchEnded,
        fmt::format("the search ended before it; lights with error {:.4f} instead of {:.4f} are known", rival.epsilon,
                    epsilon_));
   verdict_.remedy.kind = Remedy::Kind::kRestart;
@@ -152,12 +153,14 @@ void StrokeCase::blame(int partner, const std::string& param, bool light_helps) 
   if (!rest) {
     const StrokeRegion& other = evidence_->regions()[static_cast<std::size_t>(partner)];
     verdict_.other = other.stroke;
-    rule(Outcome::kConflicting, Cause::kStrokesDisagree, fmt::format("{} wants {} otherwise", label_of(other), param));
+    rule(StrokeOutcome::kConflicting, Cause::kStrokesDisagree,
+         fmt::format("{} wants {} otherwise", label_of(other), param));
   } else if (light_helps) {
-    rule(Outcome::kConflicting, Cause::kNeedsLight,
+    rule(StrokeOutcome::kConflicting, Cause::kNeedsLight,
          fmt::format("the rest of the picture needs {} as it is; this wants a light of its own", param));
   } else {
-    rule(Outcome::kConflicting, Cause::kRestDisagrees, fmt::format("the rest of the picture wants {} as it is", param));
+    rule(StrokeOutcome::kConflicting, Cause::kRestDisagrees,
+         fmt::format("the rest of the picture wants {} as it is", param));
   }
 }
 
@@ -168,7 +171,7 @@ Result<void> StrokeCase::explain() {
   const std::vector<std::string> behind = lights_behind();
   LUM_TRY(const auto unlocking, best_unlocking());
   if (unlocking && behind.empty()) {
-    rule(Outcome::kImpossible, Cause::kLockedParameter,
+    rule(StrokeOutcome::kImpossible, Cause::kLockedParameter,
          fmt::format("{} {} locked", fmt::join(unlocking->group.patterns, " and "),
                      unlocking->group.patterns.size() == 1 ? "is" : "are"));
     unlock(unlocking->group.patterns);
@@ -178,10 +181,10 @@ Result<void> StrokeCase::explain() {
   const bool light_helps =
       addition && (evidence_->helps_all(region_, addition->trial) || evidence_->helps(region_, addition->alone.error));
   if (!behind.empty() && (unlocking || light_helps)) {
-    rule(Outcome::kImpossible, Cause::kFacesAway,
+    rule(StrokeOutcome::kImpossible, Cause::kFacesAway,
          fmt::format("the surface faces away from {}", fmt::join(behind, " and ")));
   } else if (light_helps) {
-    rule(Outcome::kImpossible, Cause::kNeedsLight, "no light that may change can make it; another light can");
+    rule(StrokeOutcome::kImpossible, Cause::kNeedsLight, "no light that may change can make it; another light can");
   } else {
     return nothing_helps();
   }
@@ -203,7 +206,7 @@ Result<void> StrokeCase::explain_dark() {
     LUM_TRY(patterns, colors_to_unlock());
   }
   if (patterns.empty()) return nothing_helps();
-  rule(Outcome::kImpossible, Cause::kTooDark,
+  rule(StrokeOutcome::kImpossible, Cause::kTooDark,
        fmt::format("it is darker than {} {}", sources(patterns), patterns.size() == 1 ? "allows" : "allow"));
   unlock(patterns);
   return {};
@@ -214,7 +217,7 @@ Result<void> StrokeCase::nothing_helps() {
     verdict_.text = "as near as light comes to this paint";
     return {};
   }
-  rule(Outcome::kImpossible, Cause::kBeyondLight, "no light that was tried makes this");
+  rule(StrokeOutcome::kImpossible, Cause::kBeyondLight, "no light that was tried makes this");
   return {};
 }
 

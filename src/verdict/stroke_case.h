@@ -42,7 +42,7 @@ class StrokeCase {
   Result<std::vector<std::string>> colors_to_unlock();
   [[nodiscard]] std::vector<std::string> lights_behind() const;
 
-  void rule(Outcome outcome, Cause cause, std::string text);
+  void rule(StrokeOutcome outcome, Cause cause, std::string text);
   void miss(const Rival& rival);
   void blame(int partner, const std::string& param, bool light_helps);
   void unlock(std::vector<std::string> patterns);

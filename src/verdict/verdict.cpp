@@ -37,7 +37,7 @@ Json remedy_json(const Remedy& remedy) {
 
 }  // namespace
 
-const char* to_string(Outcome outcome) {
+const char* to_string(StrokeOutcome outcome) {
   constexpr std::array kNames = {"met", "missed", "conflicting", "impossible"};
   return kNames[static_cast<std::size_t>(outcome)];
 }

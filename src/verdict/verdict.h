@@ -11,7 +11,7 @@
 
 namespace luminist {
 
-enum class Outcome {
+enum class StrokeOutcome {
   kMet,          ///< the picture shows it, as near as light comes to paint
   kMissed,       ///< it can be had with the present locks and everything else; the search ended elsewhere
   kConflicting,  ///< it can be had alone, not together with the rest of what is wished
@@ -46,7 +46,7 @@ struct Remedy {
 struct StrokeVerdict {
   std::uint32_t stroke = 0;  ///< id in Target::stroke: 1 + index of the stroke since the last accepted solve
   std::string label;         ///< "stroke 2 on jug"
-  Outcome outcome = Outcome::kMet;
+  StrokeOutcome outcome = StrokeOutcome::kMet;
   Cause cause = Cause::kNone;
   std::string text;  ///< why, as a clause: "the surface faces away from key"
   Remedy remedy;
@@ -68,7 +68,7 @@ struct Verdict {
 };
 
 /// "met", "missed", "conflicting", "impossible".
-const char* to_string(Outcome outcome);
+const char* to_string(StrokeOutcome outcome);
 /// "surface faces away", "needs another light" ...; "" for kNone.
 const char* to_string(Cause cause);
 

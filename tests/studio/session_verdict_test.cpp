@@ -33,7 +33,7 @@ class SessionVerdictTest : public SessionTest {
 
 TEST_F(SessionVerdictTest, TheRemedyIsOneGestureThatUndoTakesBack) {
   const StrokeVerdict stroke = judged();
-  EXPECT_EQ(stroke.outcome, Outcome::kImpossible) << verdict_line(stroke);
+  EXPECT_EQ(stroke.outcome, StrokeOutcome::kImpossible) << verdict_line(stroke);
   ASSERT_NE(stroke.remedy.kind, Remedy::Kind::kNone);
   const std::string before = hash();
   LUM_EXPECT_OK(session_->apply_remedy(1));

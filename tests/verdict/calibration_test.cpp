@@ -62,7 +62,7 @@ class CalibrationTest : public RendererTest {
     Cause named = Cause::kNone;
     for (const StrokeVerdict& stroke : verdict.strokes) {
       if (named == Cause::kNone) named = stroke.cause;
-      if (known.reachable && stroke.outcome == Outcome::kImpossible) {
+      if (known.reachable && stroke.outcome == StrokeOutcome::kImpossible) {
         ++tally.called_impossible;
         std::printf("  %s: called impossible: %s\n", name.c_str(), verdict_line(stroke).c_str());
       }

@@ -65,7 +65,7 @@ TEST_F(JudgeTest, APictureAsPaintedIsMet) {
   unlock("color");
   paint(brighter());
   const StrokeVerdict stroke = judged(brighter());
-  EXPECT_EQ(stroke.outcome, Outcome::kMet);
+  EXPECT_EQ(stroke.outcome, StrokeOutcome::kMet);
   EXPECT_EQ(verdict_line(stroke), "stroke 1 on sphere 1: met");
   EXPECT_FALSE(verdict_.least_epsilon);
 }
@@ -74,7 +74,7 @@ TEST_F(JudgeTest, ALockedColourIsNamedAndUnlockingItIsAdvised) {
   unlock("shadow_density");
   paint(brighter());
   const StrokeVerdict stroke = judged(state_);
-  EXPECT_EQ(stroke.outcome, Outcome::kImpossible);
+  EXPECT_EQ(stroke.outcome, StrokeOutcome::kImpossible);
   EXPECT_EQ(stroke.cause, Cause::kLockedParameter);
   ASSERT_EQ(stroke.remedy.patterns.size(), 1U);
   EXPECT_EQ(stroke.remedy.patterns[0], "lights/key/color");
@@ -84,7 +84,7 @@ TEST_F(JudgeTest, WhatTheSearchLeftUndoneIsMissedAndTheBetterLightsAreAtHand) {
   unlock("color");
   paint(brighter());
   const StrokeVerdict stroke = judged(state_);
-  EXPECT_EQ(stroke.outcome, Outcome::kMissed);
+  EXPECT_EQ(stroke.outcome, StrokeOutcome::kMissed);
   ASSERT_TRUE(stroke.remedy.state);
   EXPECT_LT(fake_.error(*stroke.remedy.state, target_).value(), 0.97 * fake_.error(state_, target_).value());
 }
@@ -99,7 +99,7 @@ TEST_F(JudgeTest, DarkerThanTheAmbientIsImpossibleWithACertificate) {
   wanted.rig.lights[0] = state_.rig.lights[0];
   paint(wanted);
   const StrokeVerdict stroke = judged(state_);
-  EXPECT_EQ(stroke.outcome, Outcome::kImpossible);
+  EXPECT_EQ(stroke.outcome, StrokeOutcome::kImpossible);
   EXPECT_EQ(stroke.cause, Cause::kTooDark);
   EXPECT_EQ(stroke.remedy.patterns, std::vector<std::string>{"ambient/color"});
   ASSERT_TRUE(stroke.least_missed);
@@ -110,7 +110,7 @@ TEST_F(JudgeTest, DarkerThanTheAmbientIsImpossibleWithACertificate) {
 
 TEST_F(JudgeTest, NothingFreeAndNoPaintAreJudgedToo) {
   paint(brighter());
-  EXPECT_EQ(judged(state_).outcome, Outcome::kImpossible);
+  EXPECT_EQ(judged(state_).outcome, StrokeOutcome::kImpossible);
   std::fill(target_.stroke.begin(), target_.stroke.end(), 0U);
   LUM_ASSERT_OK(const Verdict verdict, judge(fake_, state_, target_, *fake_.render(state_, {})));
   EXPECT_TRUE(verdict.strokes.empty());

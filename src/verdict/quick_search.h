@@ -1,5 +1,5 @@
 #pragma once
-// verdict/reach.h -- how near to a wish the free parameters come, found out in milliseconds on a few samples.
+// verdict/quick_search.h -- how near to a wish the free parameters come, found out in milliseconds on a few samples.
 #include <span>
 #include <vector>
 
@@ -19,9 +19,9 @@ struct Reached {
 /// Descends from many states at once: Levenberg and Marquardt's steps within the ranges, slopes by finite differences,
 /// every round of all states in two batches. An estimate from above: what it reaches can be reached, what it misses may
 /// lie elsewhere. Deterministic. The renderer must outlive it. thread: the renderer's.
-class Reach {
+class QuickSearch {
  public:
-  explicit Reach(Renderer& renderer) : renderer_(&renderer) {}
+  explicit QuickSearch(Renderer& renderer) : renderer_(&renderer) {}
 
   /// The error of states on the real picture. cost one batch.
   Result<std::vector<double>> measure(std::span<const ParamState> states, const SampledWish& wish);

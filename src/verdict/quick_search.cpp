@@ -1,4 +1,4 @@
-#include "verdict/reach.h"
+#include "verdict/quick_search.h"
 
 #include <algorithm>
 #include <array>
@@ -81,7 +81,7 @@ Vec3 color_factor(const ParamBlock& block, int color, std::span<const Vec3> with
 }  // namespace
 
 /// One state on its way.
-struct Reach::Descent {
+struct QuickSearch::Descent {
   explicit Descent(ParamState start) : state(std::move(start)) {}
 
   ParamState state;
@@ -179,8 +179,8 @@ struct Reach::Descent {
   }
 };
 
-Result<std::vector<std::vector<Vec3>>> Reach::colors(std::span<const Candidate> candidates, const SampledWish& wish,
-                                                     const Softness& softness) {
+Result<std::vector<std::vector<Vec3>>> QuickSearch::colors(std::span<const Candidate> candidates,
+                                                           const SampledWish& wish, const Softness& softness) {
   const std::size_t count = wish.samples.pixels.size();
   std::vector<Vec3> flat(candidates.size() * count);
   LUM_TRY_VOID(renderer_->evaluate(candidates, wish.samples, softness, flat));
@@ -192,7 +192,7 @@ Result<std::vector<std::vector<Vec3>>> Reach::colors(std::span<const Candidate> 
   return result;
 }
 
-Result<std::vector<double>> Reach::measure(std::span<const ParamState> states, const SampledWish& wish) {
+Result<std::vector<double>> QuickSearch::measure(std::span<const ParamState> states, const SampledWish& wish) {
   std::vector<Candidate> batch;
   for (const ParamState& state : states) batch.push_back({&state, Candidate::kAllLights});
   LUM_TRY(const auto pictures, colors(batch, wish, kSharp));
@@ -201,8 +201,8 @@ Result<std::vector<double>> Reach::measure(std::span<const ParamState> states, c
   return errors;
 }
 
-Result<std::vector<double>> Reach::settle_colors(std::vector<ParamState>& variants, std::span<const int> blocks,
-                                                 const SampledWish& wish) {
+Result<std::vector<double>> QuickSearch::settle_colors(std::vector<ParamState>& variants, std::span<const int> blocks,
+                                                       const SampledWish& wish) {
   std::vector<ParamState> dark;
   for (std::size_t k = 0; k < variants.size(); ++k) {
     dark.push_back(variants[k]);
@@ -228,8 +228,8 @@ Result<std::vector<double>> Reach::settle_colors(std::vector<ParamState>& varian
   return errors;
 }
 
-Result<void> Reach::iterate(std::vector<Descent>& descents, const SampledWish& wish, const Softness& softness,
-                            double position_step) {
+Result<void> QuickSearch::iterate(std::vector<Descent>& descents, const SampledWish& wish, const Softness& softness,
+                                  double position_step) {
   std::vector<Candidate> batch;
   for (Descent& descent : descents) {
     if (descent.stuck) continue;
@@ -260,8 +260,8 @@ Result<void> Reach::iterate(std::vector<Descent>& descents, const SampledWish& w
   return {};
 }
 
-Result<std::vector<Reached>> Reach::descend(std::vector<ParamState> starts, const SampledWish& wish, int soft,
-                                            int sharp) {
+Result<std::vector<Reached>> QuickSearch::descend(std::vector<ParamState> starts, const SampledWish& wish, int soft,
+                                                  int sharp) {
   LUM_TRY(const std::vector<double> start_errors, measure(starts, wish));
   std::vector<Descent> descents;
   for (const ParamState& start : starts) descents.emplace_back(start);
@@ -279,7 +279,8 @@ Result<std::vector<Reached>> Reach::descend(std::vector<ParamState> starts, cons
   return result;
 }
 
-Result<Reached> Reach::search(std::vector<ParamState> starts, const SampledWish& wish, int variants, double enough) {
+Result<Reached> QuickSearch::search(std::vector<ParamState> starts, const SampledWish& wish, int variants,
+                                    double enough) {
   LUM_CHECK(!starts.empty(), "a search starts somewhere");
   const auto nearer = [](const Reached& a, const Reached& b) { return a.error < b.error; };
   Random random(wish.samples.id);
