@@ -10,6 +10,7 @@ layout(std140, binding = LUM_FRAME) uniform LumFrame {
   uint candidates;
   uint run;            // candidates of one invocation
   uint indexed;        // 1: sample i is entry lum_entries[i] of the surface; 0: entry i
+  uint layered;        // 1: lum_layer is added
 } lum_frame;
 
 // The deep framebuffer. position.w and normal.w hold object and material as bits.
@@ -26,6 +27,8 @@ layout(std430, binding = LUM_VISIBILITY) readonly buffer LumVisibility { float l
 layout(std430, binding = LUM_CANDIDATES) readonly buffer LumCandidates { uvec4 lum_candidates[]; };
 // [light] type, block of that type, visibility column (LUM_NONE: no shadows), 0
 layout(std430, binding = LUM_LIGHTS) readonly buffer LumLights { uvec4 lum_lights[]; };
+// [sample] colours that every candidate is added to
+layout(std430, binding = LUM_LAYER) readonly buffer LumLayer { vec4 lum_layer[]; };
 // [candidate * samples + sample]
 layout(std430, binding = LUM_COLORS) writeonly buffer LumColors { vec4 lum_colors[]; };
 

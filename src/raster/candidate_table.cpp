@@ -43,11 +43,11 @@ std::vector<int> lit_lights(const Candidate& candidate) {
   return lit;
 }
 
-bool CandidateTable::fits(const Candidate& candidate, const std::vector<int>& lights) const {
+bool CandidateTable::fits(const LightRig& rig, std::span<const int> lights) const {
   if (ambient_.free() == 0 || style_.free() == 0) return false;
   std::vector<std::size_t> wanted(light_types_.size(), 0);
   for (const int i : lights) {
-    const int type = types_->index(candidate.state->rig.lights[static_cast<std::size_t>(i)].type);
+    const int type = types_->index(rig.lights[static_cast<std::size_t>(i)].type);
     LUM_CHECK(type >= 0, "a rig holds lights of types that exist");
     if (++wanted[static_cast<std::size_t>(type)] > light_types_[static_cast<std::size_t>(type)].free()) return false;
   }
@@ -56,13 +56,14 @@ bool CandidateTable::fits(const Candidate& candidate, const std::vector<int>& li
 
 bool CandidateTable::add(const Candidate& candidate, const ColumnOf& column_of) {
   LUM_CHECK(candidate.state != nullptr, "a candidate has a state");
-  const std::vector<int> lights = lit_lights(candidate);
-  if (!fits(candidate, lights)) return false;
-  const LightRig& rig = candidate.state->rig;
-  const bool term = candidate.light >= 0;
+  return add(*candidate.state, lit_lights(candidate), candidate.light < 0, column_of);
+}
+
+bool CandidateTable::add(const ParamState& state, std::span<const int> lights, bool whole, const ColumnOf& column_of) {
+  const LightRig& rig = state.rig;
+  if (!fits(rig, lights)) return false;
   candidates_.push_back({static_cast<std::uint32_t>(lights_.size()), static_cast<std::uint32_t>(lights.size()),
-                         term ? kNone : ambient_.add(0, rig.ambient.bytes()),
-                         style_.add(0, candidate.state->style.bytes())});
+                         whole ? ambient_.add(0, rig.ambient.bytes()) : kNone, style_.add(0, state.style.bytes())});
   for (const int i : lights) {
     const Light& light = rig.lights[static_cast<std::size_t>(i)];
     const auto type = static_cast<std::uint32_t>(types_->index(light.type));

@@ -29,6 +29,8 @@ class CandidateTable {
   /// False, and nothing is added, if the candidate's blocks do not fit beside those that are there.
   /// Muted lights are left out; the term of a muted light is black.
   [[nodiscard]] bool add(const Candidate& candidate, const ColumnOf& column_of);
+  /// The same for any lights of a state (places in the rig, none muted); `whole`: with emission and ambient.
+  [[nodiscard]] bool add(const ParamState& state, std::span<const int> lights, bool whole, const ColumnOf& column_of);
 
   [[nodiscard]] std::size_t size() const { return candidates_.size(); }
   [[nodiscard]] const std::vector<Row>& candidates() const { return candidates_; }  ///< see shaders/lib/host.glsl
@@ -46,7 +48,7 @@ class CandidateTable {
     [[nodiscard]] std::size_t free() const { return array.capacity - bytes.size() / array.stride; }
     std::uint32_t add(std::size_t user, std::span<const std::byte> block);
   };
-  [[nodiscard]] bool fits(const Candidate& candidate, const std::vector<int>& lights) const;
+  [[nodiscard]] bool fits(const LightRig& rig, std::span<const int> lights) const;
 
   const LightTypes* types_;
   std::vector<Row> candidates_;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -32,7 +33,9 @@ class RasterRenderer::Impl {
   /// The picture of the state in picture_. errors as render().
   Result<void> draw(const ParamState& state, const RenderOptions& options);
   Result<Image> read_picture() const;
-  Result<double> error(const ParamState& state, const Target& target);
+  Result<double> error(const ParamState& state, const Target& target, std::optional<std::span<const int>> moving);
+  Result<void> colors_at(const ParamState& state, std::span<const int> without, std::span<const std::uint32_t> pixels,
+                         std::span<Vec3> out);
   Result<void> evaluate(std::span<const Candidate> candidates, const SampleSet& samples, const Softness& softness,
                         std::span<Vec3> out);
 
@@ -42,8 +45,22 @@ class RasterRenderer::Impl {
   [[nodiscard]] const WorkCount& work() const { return work_; }
 
  private:
+  /// What one dispatch shades: lights (places in the rig, lit ones), with emission and ambient or without.
+  struct Layer {
+    std::vector<int> lights;
+    bool whole = true;
+  };
+  Result<void> update_shadows(const ParamState& state);
   Result<void> shade(const ParamState& state, const RenderOptions& options);
-  Result<void> resolve();
+  /// The moving lights over the kept sum of the others.
+  Result<void> shade_moving(const ParamState& state, std::span<const int> moving);
+  Result<void> keep_still(const ParamState& state, const Layer& still);
+  /// All that a layer's colours depend on.
+  [[nodiscard]] std::vector<std::byte> key_of(const ParamState& state, const Layer& layer) const;
+  Result<void> run(const ParamState& state, const Layer& layer, bool shadows, const GlBuffer* below,
+                   const GlBuffer& colors);
+  Result<void> finish(const ParamState& state, bool shadows);
+  Result<void> resolve(const GlBuffer& colors);
 
   Device* device_;
   const LightTypes* types_;
@@ -60,7 +77,10 @@ class RasterRenderer::Impl {
   Program resolve_program_;
   GlBuffer colors_;   ///< vec4 [samples]
   GlBuffer picture_;  ///< vec4 [pixels]
-  GlBuffer bad_;      ///< uint, pixels that were not finite
+  GlBuffer still_;    ///< vec4 [samples], what the lights add that do not move; empty until it is needed
+  std::vector<std::byte> still_key_;
+  std::vector<std::byte> picture_key_;  ///< of what picture_ shows, with shadows; empty if that is unknown
+  GlBuffer bad_;                        ///< uint, pixels that were not finite
   WorkCount work_;
 };
 
@@ -89,23 +109,15 @@ Result<void> RasterRenderer::Impl::prepare(const Scene& scene, const Camera& cam
   return device_->check_errors("prepare the renderer");
 }
 
-Result<void> RasterRenderer::Impl::shade(const ParamState& state, const RenderOptions& options) {
+Result<void> RasterRenderer::Impl::run(const ParamState& state, const Layer& layer, bool shadows, const GlBuffer* below,
+                                       const GlBuffer& colors) {
   // Rows of the visibility buffer belong to the lights that are lit, in rig order.
-  const std::vector<ShadowLight> all = shadow_lights(state.rig, *types_);
-  std::vector<ShadowLight> lit;
-  std::vector<std::uint32_t> row(all.size(), kNone);
-  for (std::size_t i = 0; i < all.size(); ++i) {
-    if (state.rig.lights[i].muted) continue;
-    row[i] = static_cast<std::uint32_t>(lit.size());
-    lit.push_back(all[i]);
-  }
-  if (options.shadows) LUM_TRY_VOID(maps_->update(*deep_, lit));
-
-  table_->clear();
-  const auto column_of = [&](const LightRig&, int light) {
-    return options.shadows ? row[static_cast<std::size_t>(light)] : kNone;
+  const std::vector<int> lit = lit_lights({&state, Candidate::kAllLights});
+  const auto row_of = [&](const LightRig&, int light) {
+    return shadows ? static_cast<std::uint32_t>(std::ranges::lower_bound(lit, light) - lit.begin()) : kNone;
   };
-  if (!table_->add({&state, Candidate::kAllLights}, column_of)) {
+  table_->clear();
+  if (!table_->add(state, layer.lights, layer.whole, row_of)) {
     return Error{ErrorKind::kLimit, "the rig has more lights of one type than this device takes at once", "", "",
                  "remove lights"};
   }
@@ -113,19 +125,96 @@ Result<void> RasterRenderer::Impl::shade(const ParamState& state, const RenderOp
   job.surface = &*deep_;
   job.table = &*table_;
   job.samples = deep_->sample_count();
-  job.visibility = options.shadows && !lit.empty() ? &maps_->visibility() : nullptr;
-  job.colors = &colors_;
+  job.visibility = shadows && !lit.empty() ? &maps_->visibility() : nullptr;
+  job.layer = below;
+  job.colors = &colors;
   LUM_TRY_VOID(relight_->run(job));
-  const double lookups = static_cast<double>(deep_->pixel_count()) * static_cast<double>(lit.size());
-  work_.shades += lookups;
-  work_.shadow_queries += options.shadows ? lookups : 0.0;
-  work_.pictures += 1.0;
+  const double shades = static_cast<double>(deep_->pixel_count()) * static_cast<double>(layer.lights.size());
+  work_.shades += shades;
+  work_.shadow_queries += shadows ? shades : 0.0;
   return {};
 }
 
-Result<void> RasterRenderer::Impl::resolve() {
+Result<void> RasterRenderer::Impl::update_shadows(const ParamState& state) {
+  std::vector<ShadowLight> lit = shadow_lights(state.rig, *types_);
+  for (std::size_t i = lit.size(); i-- > 0;) {
+    if (state.rig.lights[i].muted) lit.erase(lit.begin() + static_cast<std::ptrdiff_t>(i));
+  }
+  return maps_->update(*deep_, lit);
+}
+
+Result<void> RasterRenderer::Impl::shade(const ParamState& state, const RenderOptions& options) {
+  if (options.shadows) LUM_TRY_VOID(update_shadows(state));
+  const Layer all{lit_lights({&state, Candidate::kAllLights}), true};
+  return run(state, all, options.shadows, nullptr, colors_);
+}
+
+std::vector<std::byte> RasterRenderer::Impl::key_of(const ParamState& state, const Layer& layer) const {
+  std::vector<std::byte> key;
+  const auto add = [&](std::span<const std::byte> bytes) { key.insert(key.end(), bytes.begin(), bytes.end()); };
+  add(state.rig.ambient.bytes());
+  add(state.style.bytes());
+  const std::vector<ShadowLight> shadows = shadow_lights(state.rig, *types_);
+  for (const int i : layer.lights) {
+    const Light& light = state.rig.lights[static_cast<std::size_t>(i)];
+    const ShadowLight& shadow = shadows[static_cast<std::size_t>(i)];  // another light's, where they are shared
+    add(std::as_bytes(std::span(&i, 1)));
+    add(std::as_bytes(std::span(light.type)));
+    add(light.params.bytes());
+    add(std::as_bytes(std::span(&shadow.position, 1)));
+    add(std::as_bytes(std::span(&shadow.softness, 1)));
+  }
+  return key;
+}
+
+Result<void> RasterRenderer::Impl::keep_still(const ParamState& state, const Layer& still) {
+  std::vector<std::byte> key = key_of(state, still);
+  if (still_.name() != 0 && key == still_key_) return {};
+  if (still_.name() == 0) {
+    LUM_TRY(still_, GlBuffer::create(*device_, BufferUse::kStorage, colors_.bytes(), "lights that do not move"));
+  }
+  still_key_.clear();
+  LUM_TRY_VOID(run(state, still, true, nullptr, still_));
+  still_key_ = std::move(key);
+  return {};
+}
+
+Result<void> RasterRenderer::Impl::colors_at(const ParamState& state, std::span<const int> without,
+                                             std::span<const std::uint32_t> pixels, std::span<Vec3> out) {
+  LUM_CHECK(pixels.size() == out.size(), "one colour per pixel");
+  Layer layer;
+  for (const int i : lit_lights({&state, Candidate::kAllLights})) {
+    if (std::ranges::find(without, i) == without.end()) layer.lights.push_back(i);
+  }
+  std::vector<std::byte> key = key_of(state, layer);
+  if (key != picture_key_) {
+    LUM_TRY_VOID(update_shadows(state));
+    LUM_TRY_VOID(keep_still(state, layer));
+    LUM_TRY_VOID(resolve(still_));
+    picture_key_ = std::move(key);
+  }
+  std::vector<Vec4> colors(deep_->pixel_count());
+  picture_.read(0, std::span<Vec4>(colors));
+  for (std::size_t i = 0; i < pixels.size(); ++i) out[i] = Vec3(colors[pixels[i]]);
+  return {};
+}
+
+Result<void> RasterRenderer::Impl::shade_moving(const ParamState& state, std::span<const int> moving) {
+  Layer still;
+  Layer turned{{}, false};
+  for (const int i : lit_lights({&state, Candidate::kAllLights})) {
+    (std::ranges::find(moving, i) == moving.end() ? still : turned).lights.push_back(i);
+  }
+  if (still.lights.empty()) return shade(state, {});
+  LUM_TRY_VOID(update_shadows(state));
+  LUM_TRY_VOID(keep_still(state, still));
+  return run(state, turned, true, &still_, colors_);
+}
+
+Result<void> RasterRenderer::Impl::resolve(const GlBuffer& colors) {
+  picture_key_.clear();
   bad_.fill(0, sizeof(std::uint32_t), 0.0F);
-  colors_.bind_storage(0);
+  colors.bind_storage(0);
   deep_->edge_of_pixel().bind_storage(1);
   picture_.bind_storage(2);
   bad_.bind_storage(3);
@@ -142,7 +231,13 @@ Result<void> RasterRenderer::Impl::resolve() {
 
 Result<void> RasterRenderer::Impl::draw(const ParamState& state, const RenderOptions& options) {
   LUM_TRY_VOID(shade(state, options));
-  LUM_TRY_VOID(resolve());
+  return finish(state, options.shadows);
+}
+
+Result<void> RasterRenderer::Impl::finish(const ParamState& state, bool shadows) {
+  work_.pictures += 1.0;
+  LUM_TRY_VOID(resolve(colors_));
+  if (shadows) picture_key_ = key_of(state, {lit_lights({&state, Candidate::kAllLights}), true});
   return device_->check_errors("render the picture");
 }
 
@@ -154,8 +249,14 @@ Result<Image> RasterRenderer::Impl::read_picture() const {
   return image;
 }
 
-Result<double> RasterRenderer::Impl::error(const ParamState& state, const Target& target) {
-  LUM_TRY_VOID(draw(state, {}));
+Result<double> RasterRenderer::Impl::error(const ParamState& state, const Target& target,
+                                           std::optional<std::span<const int>> moving) {
+  if (moving && style_.lights == LightCombination::kSum) {
+    LUM_TRY_VOID(shade_moving(state, *moving));
+    LUM_TRY_VOID(finish(state, true));
+  } else {
+    LUM_TRY_VOID(draw(state, {}));
+  }
   if (style_.metric.blur <= 0.0F) return metric_->error(picture_, target);
   LUM_TRY(const Image picture, read_picture());
   return picture_error(picture, target, style_.metric);
@@ -205,7 +306,16 @@ Result<Image> RasterRenderer::render(const ParamState& state, const RenderOption
 }
 
 Result<double> RasterRenderer::error(const ParamState& state, const Target& target) {
-  return impl_->error(state, target);
+  return impl_->error(state, target, std::nullopt);
+}
+
+Result<double> RasterRenderer::error(const ParamState& state, const Target& target, std::span<const int> moving) {
+  return impl_->error(state, target, moving);
+}
+
+Result<void> RasterRenderer::colors_at(const ParamState& state, std::span<const int> without,
+                                       std::span<const std::uint32_t> pixels, std::span<Vec3> out) {
+  return impl_->colors_at(state, without, pixels, out);
 }
 
 Result<void> RasterRenderer::evaluate(std::span<const Candidate> candidates, const SampleSet& samples,

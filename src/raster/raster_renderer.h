@@ -25,6 +25,10 @@ class RasterRenderer final : public Renderer {
   [[nodiscard]] const Style& style() const override;
   Result<Image> render(const ParamState& state, const RenderOptions& options = {}) override;
   Result<double> error(const ParamState& state, const Target& target) override;
+  /// Keeps the sum of the lights that do not move, if the style sums its lights. memory 16 bytes a sample.
+  Result<double> error(const ParamState& state, const Target& target, std::span<const int> moving) override;
+  Result<void> colors_at(const ParamState& state, std::span<const int> without, std::span<const std::uint32_t> pixels,
+                         std::span<Vec3> out) override;
   Result<void> evaluate(std::span<const Candidate> candidates, const SampleSet& samples, const Softness& softness,
                         std::span<Vec3> out) override;
   [[nodiscard]] const WorkCount& work() const override;

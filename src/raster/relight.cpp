@@ -25,7 +25,7 @@ struct FrameBlock {
   std::uint32_t candidates = 0;
   std::uint32_t run = 1;
   std::uint32_t indexed = 0;
-  std::uint32_t unused = 0;
+  std::uint32_t layered = 0;
 };
 static_assert(sizeof(FrameBlock) == 48, "as std140 lays it out");
 
@@ -72,6 +72,7 @@ Result<void> Relight::upload(const RelightJob& job) {
   frame.candidates = static_cast<std::uint32_t>(table.size());
   frame.run = static_cast<std::uint32_t>(run_length(device_->info()));
   frame.indexed = job.entries != nullptr ? 1 : 0;
+  frame.layered = job.layer != nullptr ? 1 : 0;
   frame_.write(0, std::span<const FrameBlock>(&frame, 1));
   const auto write = [](GlBuffer& buffer, std::span<const std::byte> bytes) {
     if (!bytes.empty()) buffer.write(0, bytes);
@@ -104,6 +105,7 @@ Result<void> Relight::run(const RelightJob& job) {
   candidates_.buffer().bind_storage(binding::kCandidates);
   lights_.buffer().bind_storage(binding::kLights);
   job.colors->bind_storage(binding::kColors);
+  (job.layer != nullptr ? *job.layer : nothing_).bind_storage(binding::kLayer);
   program_.use();
   const std::size_t run = run_length(device_->info());
   program_.dispatch(*device_, padded(job.samples) * ((job.table->size() + run - 1) / run), kGroup);

@@ -21,6 +21,7 @@ struct RelightJob {
   const GlBuffer* entries = nullptr;     ///< [samples] uint, which sample of the surface; null: sample i is entry i
   const GlBuffer* visibility = nullptr;  ///< float [column * samples + sample]; null: no light has a column
   const GlBuffer* colors = nullptr;      ///< out vec4 [candidate * samples + sample]
+  const GlBuffer* layer = nullptr;       ///< vec4 [sample], added to every candidate; null: nothing
   Softness softness;
 };
 

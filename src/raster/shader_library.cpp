@@ -37,7 +37,7 @@ SourceChunk bindings_chunk() {
       {"FRAME", binding::kFrame},     {"POSITION", binding::kPosition},     {"NORMAL", binding::kNormal},
       {"ALBEDO", binding::kAlbedo},   {"SPECULAR", binding::kSpecular},     {"EMISSIVE", binding::kEmissive},
       {"ENTRIES", binding::kEntries}, {"VISIBILITY", binding::kVisibility}, {"CANDIDATES", binding::kCandidates},
-      {"LIGHTS", binding::kLights},   {"COLORS", binding::kColors},
+      {"LIGHTS", binding::kLights},   {"COLORS", binding::kColors},         {"LAYER", binding::kLayer},
   };
   std::string text;
   for (const auto& [name, number] : names) text += fmt::format("#define LUM_{} {}\n", name, number);

@@ -29,6 +29,7 @@ inline constexpr GLuint kVisibility = 6;
 inline constexpr GLuint kCandidates = 7;
 inline constexpr GLuint kLights = 8;
 inline constexpr GLuint kColors = 9;
+inline constexpr GLuint kLayer = 10;
 }  // namespace relight_binding
 
 /// Marks "no ambient" of a candidate and "no shadows" of a light; LUM_NONE of the shaders.

@@ -66,6 +66,19 @@ class Renderer {
   /// picture_error(render(state), target, style().metric) without reading the picture back.
   virtual Result<double> error(const ParamState& state, const Target& target) = 0;
 
+  /// The same up to the order of sums, for callers that turn only a few lights: `moving` are their places in the rig.
+  /// Engines may keep what the others add from call to call and shade the moving lights alone; style, ambient and the
+  /// other lights may still change, at the cost of a whole picture.
+  virtual Result<double> error(const ParamState& state, const Target& target, std::span<const int> moving) {
+    static_cast<void>(moving);
+    return error(state, target);
+  }
+
+  /// The picture at some pixels, without some of the lights (places in the rig). out [pixels.size()].
+  /// Free of work right after an error() of the same state, or of the same lights that do not move. errors render()'s.
+  virtual Result<void> colors_at(const ParamState& state, std::span<const int> without,
+                                 std::span<const std::uint32_t> pixels, std::span<Vec3> out);
+
   /// Shades samples for a batch of candidates. out [candidates.size() x samples.pixels.size()], candidate-major.
   /// Light i of every candidate's rig has the same type as in the others. cost one dispatch, one readback.
   virtual Result<void> evaluate(std::span<const Candidate> candidates, const SampleSet& samples,

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "solve/objective.h"
+
 namespace luminist {
 namespace {
 
@@ -115,7 +117,7 @@ int PictureParts::scaled_by(const Dof& dof) const {
 }
 
 Result<CellProblem> CellProblem::create(Renderer& renderer, const PictureParts& parts, const Level& level,
-                                        const ParamState& free, Norm norm) {
+                                        const ParamState& free, Norm norm, const CellField& still) {
   CellProblem problem;
   problem.renderer_ = &renderer;
   problem.parts_ = &parts;
@@ -125,21 +127,26 @@ Result<CellProblem> CellProblem::create(Renderer& renderer, const PictureParts& 
   std::vector<bool> is_free(count, false);
   const std::vector<const ParamBlock*> blocks = free.blocks();
   const UnitMap map = UnitMap::create(blocks, renderer.frame());
+  const std::vector<int> moving = moving_lights(free, map);
   for (const Dof& dof : map.list()) {
     if (parts.scaled_by(dof) >= 0) continue;  // white parts stay as they are
     for (const int part : parts.touched_by(free, dof)) is_free[static_cast<std::size_t>(part)] = true;
   }
+  const CellField nothing(static_cast<std::size_t>(level.cells.size()), Vec3(0.0F));
+  problem.fixed_.resize(count);
+  problem.offset_ = nothing;
   std::vector<Request> requests;
   for (std::size_t part = 0; part < count; ++part) {
     problem.ranges_.push_back(range_of(free, parts.list()[part], renderer.frame()));
     if (is_free[part]) {
       problem.free_parts_.push_back(static_cast<int>(part));
+    } else if (!still.empty() && std::ranges::find(moving, parts.list()[part].light) == moving.end()) {
+      problem.fixed_[part] = parts.list()[part].light == Candidate::kNoLights ? still : nothing;
     } else {
       requests.push_back({&free, static_cast<int>(part)});
     }
   }
   LUM_TRY(std::vector<CellField> fields, problem.evaluate(requests));
-  problem.fixed_.resize(count);
   for (std::size_t i = 0; i < requests.size(); ++i) {
     problem.fixed_[static_cast<std::size_t>(requests[i].part)] = std::move(fields[i]);
   }
@@ -197,8 +204,25 @@ Result<CellPoint> CellProblem::measure(const ParamState& state) const {
   return std::move(points.front());
 }
 
+Result<CellPoint> CellProblem::measure_as_is(const ParamState& state) const {
+  std::vector<Request> requests;
+  for (const int part : free_parts_) requests.push_back({&state, part});
+  LUM_TRY(std::vector<CellField> fields, evaluate(requests));
+  CellPoint point{state, fixed_, 0.0};
+  for (std::size_t i = 0; i < free_parts_.size(); ++i) {
+    point.fields[static_cast<std::size_t>(free_parts_[i])] = std::move(fields[i]);
+  }
+  point.cost = cell_cost(level_->cells, picture(point), norm_);
+  return point;
+}
+
+void CellProblem::correct(const CellPoint& point, const CellField& shown) {
+  const CellField sampled = picture(point);
+  for (std::size_t c = 0; c < offset_.size(); ++c) offset_[c] += shown[c] - sampled[c];
+}
+
 CellField CellProblem::picture(const CellPoint& point) const {
-  CellField sum(static_cast<std::size_t>(level_->cells.size()), Vec3(0.0F));
+  CellField sum = offset_;
   for (std::size_t part = 0; part < point.fields.size(); ++part) {
     const Vec3 color = part_color(point.state, parts_->list()[part]);
     for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += color * point.fields[part][c];
@@ -207,7 +231,7 @@ CellField CellProblem::picture(const CellPoint& point) const {
 }
 
 void CellProblem::settle(CellPoint& point) const {
-  CellField rest(static_cast<std::size_t>(level_->cells.size()), Vec3(0.0F));
+  CellField rest = offset_;
   std::vector<const CellField*> white;
   std::vector<ColorRange> ranges;
   std::vector<Vec3> colors;

@@ -55,14 +55,19 @@ struct CellPoint {
 class CellProblem {
  public:
   /// free: a state whose locks say what may change; parts that nothing unlocked touches are evaluated once.
+  /// still: what is fixed on the cells, if the renderer's picture says it (moving lights left out); else empty.
   /// errors the renderer's.
   static Result<CellProblem> create(Renderer& renderer, const PictureParts& parts, const Level& level,
-                                    const ParamState& free, Norm norm);
+                                    const ParamState& free, Norm norm, const CellField& still = {});
 
   struct Request {
     const ParamState* state = nullptr;
     int part = 0;
   };
+  /// The difference between a state's picture and what its samples say becomes part of every point from now on: the
+  /// samples are then exact at that state. point: of that state; points measured before must be measured again.
+  void correct(const CellPoint& point, const CellField& shown);
+
   /// Parts of states in one batch; result [requests.size()], white where a colour scales them.
   Result<std::vector<CellField>> evaluate(std::span<const Request> requests) const;
 
@@ -71,6 +76,8 @@ class CellProblem {
   Result<std::vector<CellPoint>> measure(std::vector<ParamState> states, const CellPoint* base,
                                          std::span<const int> changed) const;
   Result<CellPoint> measure(const ParamState& state) const;
+  /// The same with the state's own colours.
+  Result<CellPoint> measure_as_is(const ParamState& state) const;
 
   /// The picture of a point on the cells.
   [[nodiscard]] CellField picture(const CellPoint& point) const;
@@ -91,6 +98,7 @@ class CellProblem {
   std::vector<int> free_parts_;
   std::vector<ColorRange> ranges_;  ///< [parts]
   std::vector<CellField> fixed_;    ///< [parts] of what never changes; empty for free parts
+  CellField offset_;                ///< [cells] what samples miss; see correct()
 };
 
 /// The colour that scales a part; ones if none does.

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "solve/box_solve.h"
+
 namespace luminist {
 namespace {
 
@@ -66,28 +68,6 @@ double cell_cost(const SampleCells& cells, std::span<const Vec3> picture, Norm n
     sum += cells.weight[c] * (norm == Norm::kUnsquared ? std::sqrt(square) : square);
   }
   return sum;
-}
-
-void solve_box(std::span<const double> a, std::span<const double> b, std::span<const double> low,
-               std::span<const double> high, std::span<double> x) {
-  constexpr int kSweeps = 200;
-  const std::size_t n = x.size();
-  for (int sweep = 0; sweep < kSweeps; ++sweep) {
-    double moved = 0.0;
-    double scale = 0.0;
-    for (std::size_t i = 0; i < n; ++i) {
-      if (!(a[i * n + i] > 0.0)) continue;  // it changes nothing: leave it
-      double rest = b[i];
-      for (std::size_t j = 0; j < n; ++j) {
-        if (j != i) rest -= a[i * n + j] * x[j];
-      }
-      const double better = std::clamp(rest / a[i * n + i], low[i], high[i]);
-      moved = std::max(moved, std::abs(better - x[i]));
-      scale = std::max(scale, std::abs(better));
-      x[i] = better;
-    }
-    if (moved <= 1e-6 * scale) return;
-  }
 }
 
 void solve_colors(const SampleCells& cells, std::span<const Vec3> rest, std::span<const CellField* const> white,

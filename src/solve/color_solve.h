@@ -30,8 +30,4 @@ double cell_cost(const SampleCells& cells, std::span<const Vec3> picture, Norm n
 void solve_colors(const SampleCells& cells, std::span<const Vec3> rest, std::span<const CellField* const> white,
                   std::span<const ColorRange> ranges, Norm norm, std::span<Vec3> colors);
 
-/// min x'Ax - 2b'x within [low, high], A symmetric positive semidefinite, row by row [n x n]; x holds the start.
-void solve_box(std::span<const double> a, std::span<const double> b, std::span<const double> low,
-               std::span<const double> high, std::span<double> x);
-
 }  // namespace luminist

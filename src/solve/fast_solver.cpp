@@ -18,17 +18,6 @@ constexpr int kVariants = 150;     // of one light
 constexpr std::size_t kPool = 20;  // variants that descend
 constexpr int kSimplexSlice = 25;  // evaluations on samples in one step
 
-enum LevelName : std::size_t { kScout, kSoft, kMiddle, kSharp };
-
-/// Many starts descend a little on few samples, the best of them on, and only one to the end.
-struct Stage {
-  std::size_t level = 0;
-  int iterations = 0;
-  std::size_t keep = 1;  // of its ends, for the next stage
-};
-constexpr std::array<Stage, 4> kStages{{{kScout, 5, 4}, {kSoft, 12, 2}, {kMiddle, 10, 1}, {kSharp, 12, 1}}};
-constexpr std::size_t kLastStage = kStages.size() - 1;
-
 bool cheaper(const CellPoint& a, const CellPoint& b) {
   return a.cost < b.cost;
 }
@@ -109,15 +98,11 @@ Result<std::unique_ptr<FastSolver>> FastSolver::create(Renderer& renderer, const
 Result<void> FastSolver::prepare(std::shared_ptr<const EdgeMask> edges) {
   const ParamState& start = progress_->best();
   const CellSampler sampler(renderer_->surface(), *target_, std::move(edges));
-  const int per_cell = renderer_->style().metric.blur > 0.0F ? 4 : 1;  // a blurred metric sees means
-  const std::uint64_t seed = progress_->options().seed;
-  levels_[kScout] = {sampler.cut(160, per_cell, seed), {0.08F, 0.10F, 0.3F, 1}, 0.015, 0.006, 12};
-  levels_[kSoft] = {sampler.cut(144, 4 * per_cell, seed + 1), {0.08F, 0.10F, 0.3F, 2}, 0.015, 0.006, 12};
-  levels_[kMiddle] = {sampler.cut(256, 4 * per_cell, seed + 2), {0.03F, 0.04F, 0.1F, 2}, 0.008, 0.005, 10};
-  levels_[kSharp] = {sampler.cut(2304, per_cell, seed + 3), {0.0F, 0.0F, 0.0F, 2}, 0.004, 0.003, 12};
+  levels_ = fast_levels(sampler, renderer_->style().metric.blur, progress_->options().seed);
   LUM_TRY(parts_, PictureParts::create(*renderer_, start, levels_[kScout].cells.samples));
   for (const Level& level : levels_) {
-    LUM_TRY(CellProblem problem, CellProblem::create(*renderer_, parts_, level, start, Norm::kUnsquared));
+    LUM_TRY(const CellField still, shown(start, objective_.moving(), level.cells));
+    LUM_TRY(CellProblem problem, CellProblem::create(*renderer_, parts_, level, start, Norm::kUnsquared, still));
     problems_.push_back(std::move(problem));
   }
   Vec3 sum(0.0F);
@@ -126,6 +111,24 @@ Result<void> FastSolver::prepare(std::shared_ptr<const EdgeMask> edges) {
   for (const Dof& dof : objective_.map().list()) {
     if (parts_.scaled_by(dof) >= 0) continue;
     if (free_blocks_.empty() || free_blocks_.back() != dof.block) free_blocks_.push_back(dof.block);
+  }
+  return {};
+}
+
+Result<CellField> FastSolver::shown(const ParamState& state, std::span<const int> without, const SampleCells& cells) {
+  std::vector<Vec3> colors(cells.samples.pixels.size());
+  LUM_TRY_VOID(renderer_->colors_at(state, without, cells.samples.pixels, colors));
+  for (Vec3& color : colors) {
+    if (!is_finite(color)) color = Vec3(0.0F);
+  }
+  return cells.average(colors);
+}
+
+Result<void> FastSolver::correct(const ParamState& state) {
+  for (std::size_t level = 0; level < levels_.size(); ++level) {
+    LUM_TRY(const CellField picture, shown(state, {}, levels_[level].cells));
+    LUM_TRY(const CellPoint point, problems_[level].measure_as_is(state));
+    problems_[level].correct(point, picture);
   }
   return {};
 }
@@ -167,16 +170,14 @@ Result<void> FastSolver::compare_start() {
   const ParamState start = in_range(given, renderer_->frame(), focus_);
   start_ = start;
   LUM_TRY(incumbent_, problems_[kSharp].measure(start));
-  LUM_TRY(const CellPoint middle, problems_[kMiddle].measure(start));
-  middle_start_ = middle.cost;
-  begin_descents({start}, 1);
+  begin_descents({start}, kFirst);
   return {};
 }
 
-void FastSolver::begin_descents(std::vector<ParamState> starts, std::size_t stage) {
+void FastSolver::begin_descents(std::vector<ParamState> starts, std::span<const FastStage> plan) {
   starts_ = std::move(starts);
   std::reverse(starts_.begin(), starts_.end());  // taken from the back
-  stage_ = stage;
+  plan_ = plan;
   ends_.clear();
   outcome_.reset();
   descent_.reset();
@@ -184,7 +185,7 @@ void FastSolver::begin_descents(std::vector<ParamState> starts, std::size_t stag
 }
 
 Result<void> FastSolver::descend() {
-  const Stage& stage = kStages[stage_];
+  const FastStage& stage = plan_.front();
   if (!descent_) {
     const CellProblem& problem = problems_[stage.level];
     LUM_TRY(CellPoint point, problem.measure(starts_.back()));
@@ -201,54 +202,91 @@ Result<void> FastSolver::descend() {
 
 Result<void> FastSolver::end_stage() {
   std::stable_sort(ends_.begin(), ends_.end(), cheaper);
-  if (stage_ == kLastStage) {
+  if (plan_.size() == 1) {
     outcome_ = std::move(ends_.front());
     phase_ = Phase::kCheck;
     return {};
   }
-  if (kStages[stage_].level == kMiddle && round_ == 0) {
-    if (!scouted_ || ends_.front().cost < scouted_->cost) scouted_ = ends_.front();
-    if (scouted_->cost > kClear * middle_start_ && scouts_ < kScouts && !free_blocks_.empty()) {
-      ++scouts_;
-      base_ = scouted_->state;
-      pool_.clear();
-      explored_ = 0;
-      phase_ = Phase::kExplore;
-      return {};
-    }
-    ends_.front() = *scouted_;
+  const bool searching = round_ == 0 && polishes_ == 0;
+  if (searching && plan_.front().level == kMiddle) {
+    LUM_TRY(const bool again, look_again());
+    if (again) return {};
   }
   // What an exploration finds must be another place than where it set out from.
-  const CellProblem& problem = problems_[kStages[stage_].level];
+  const CellProblem& problem = problems_[plan_.front().level];
   std::optional<CellPoint> home;
-  if (exploring_) {
+  if (exploring_ && polishes_ == 0) {
     LUM_TRY(home, problem.measure(base_));
-    if (kStages[stage_].level == kMiddle)
+    if (plan_.front().level == kMiddle)
       std::erase_if(ends_, [&](const CellPoint& end) { return end.cost > kHopeless * home->cost; });
   }
   std::vector<ParamState> next;
-  for (CellPoint& end : cheapest_distinct(problem, std::move(ends_), kStages[stage_].keep, home ? &*home : nullptr)) {
+  for (CellPoint& end : cheapest_distinct(problem, std::move(ends_), plan_.front().keep, home ? &*home : nullptr)) {
     next.push_back(std::move(end.state));
   }
   if (next.empty()) {
     begin_round();
     return {};
   }
-  begin_descents(std::move(next), stage_ + 1);
+  begin_descents(std::move(next), plan_.subspan(1));
   return {};
+}
+
+Result<bool> FastSolver::look_again() {
+  const CellProblem& problem = problems_[kMiddle];
+  if (!first_look_) {
+    // Wide shadows differ from real ones by more than may be wanted. Seen from the start, whose picture is known, that
+    // is no error; seen from far away it is: both ways are tried.
+    first_look_ = ends_.front().state;
+    LUM_TRY_VOID(correct(start_));
+    LUM_TRY(incumbent_, problems_[kSharp].measure(start_));
+    LUM_TRY(const CellPoint middle, problem.measure(start_));
+    middle_start_ = middle.cost;
+    begin_descents({start_}, kFirst);
+    return true;
+  }
+  if (scouts_ == 0) {
+    LUM_TRY(CellPoint other, problem.measure(*first_look_));
+    ends_.push_back(std::move(other));
+    std::stable_sort(ends_.begin(), ends_.end(), cheaper);
+  }
+  if (!scouted_ || ends_.front().cost < scouted_->cost) scouted_ = ends_.front();
+  if (scouted_->cost > kClear * middle_start_ && scouts_ < kScouts && !free_blocks_.empty()) {
+    ++scouts_;
+    base_ = scouted_->state;
+    pool_.clear();
+    explored_ = 0;
+    phase_ = Phase::kExplore;
+    return true;
+  }
+  ends_.front() = *scouted_;
+  return false;
 }
 
 Result<void> FastSolver::check() {
   constexpr double kWorthAPicture = 0.995;
-  const bool better = outcome_ && (outcome_->cost < kWorthAPicture * incumbent_->cost || round_ == 0);
+  constexpr int kPolishes = 8;          // in a row
+  constexpr double kPolishGain = 0.95;  // of the best so far: one that leaves more was the last
+  const bool better = outcome_ && (outcome_->cost < kWorthAPicture * incumbent_->cost || round_ == 0 || polishes_ > 0);
+  bool polish = false;
   if (better) {
     objective_.recentre(outcome_->state);
     LUM_TRY(const double epsilon, objective_.evaluate(objective_.unit(outcome_->state)));
     const double best_before = progress_->report().epsilon;
     progress_->record(outcome_->state, epsilon);
-    if (epsilon < best_before) incumbent_ = std::move(outcome_);
+    if (epsilon < best_before) {
+      LUM_TRY_VOID(correct(outcome_->state));
+      LUM_TRY(incumbent_, problems_[kSharp].measure(outcome_->state));
+      polish = polishes_ < kPolishes && epsilon < kPolishGain * best_before;
+    }
   }
   outcome_.reset();
+  if (polish && !good_enough()) {
+    ++polishes_;
+    begin_descents({incumbent_->state}, kPolish);
+    return {};
+  }
+  polishes_ = 0;
   begin_round();
   return {};
 }
@@ -308,7 +346,7 @@ Result<void> FastSolver::explore() {
   if (explored_ < free_blocks_.size()) return {};
   pool_ = cheapest_distinct(problem, std::move(pool_), kPool, &here);
   if (pool_.empty() && round_ == 0) {  // no variant shows: what was found without them has not been compared yet
-    begin_descents({scouted_->state}, kLastStage);
+    begin_descents({scouted_->state}, kFromSharp);
     return {};
   }
   if (pool_.empty()) {
@@ -318,7 +356,7 @@ Result<void> FastSolver::explore() {
   exploring_ = round_ > 0;
   std::vector<ParamState> starts;
   for (const CellPoint& point : pool_) starts.push_back(point.state);
-  begin_descents(std::move(starts), 0);
+  begin_descents(std::move(starts), kSearch);
   return {};
 }
 
@@ -346,7 +384,7 @@ Result<void> FastSolver::run_simplex() {
     s.walk.tell(value);
   }
   if (!s.walk.done() && s.evaluations < s.limit) return {};
-  begin_descents({s.best.state}, 2);
+  begin_descents({s.best.state}, kFromMiddle);
   simplex_.reset();
   return {};
 }

@@ -3,8 +3,10 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
+#include "solve/fast_levels.h"
 #include "solve/gauss_newton.h"
 #include "solve/light_variants.h"
 #include "solve/nelder_mead.h"
@@ -14,15 +16,17 @@ namespace luminist {
 
 /// The search, one bounded piece of work a step:
 ///
-/// 1. compare the start on the full picture;
-/// 2. descend (Gauss-Newton) through three levels, from few cells with wide shadow and light edges to many with the
-/// real
-///    ones; compare the outcome on the full picture;
-/// 3. unless that is good enough, rounds: a simplex on the samples, which sees what has no slope (a shadow that should
+/// 1. compare the start on the full picture; what the lights that do not move add to the samples is read from it;
+/// 2. descend (Gauss-Newton) from few cells with wide shadow and light edges to many with the real ones, once as the
+///    samples are and once with the samples made exact at the start; explore variants of the lights if both ends are
+///    far from the target; compare the outcome on the full picture;
+/// 3. polish: make the samples exact at the outcome and descend again, as long as that gains;
+/// 4. unless that is good enough, rounds: a simplex on the samples, which sees what has no slope (a shadow that should
 ///    be elsewhere), or random variants of one light after another, the best of which descend. What is better on the
-///    sharpest level is compared on the full picture.
+///    sharp level is compared on the full picture and polished.
 ///
 /// Ends when the goal is reached or rounds gain nothing. Deterministic by options().seed.
+/// source  making a coarse model exact at the best point so far: space mapping (Bandler et al. 2004).
 /// The renderer, target and progress must outlive it. thread: the renderer's.
 class FastSolver final : public Solver {
  public:
@@ -43,8 +47,14 @@ class FastSolver final : public Solver {
   Result<void> explore();
   Result<void> run_simplex();
   void begin_round();
-  void begin_descents(std::vector<ParamState> starts, std::size_t stage);
+  void begin_descents(std::vector<ParamState> starts, std::span<const FastStage> plan);
   Result<void> end_stage();
+  /// At the end of the first descents: tries the other way, or explores. returns false when enough was tried.
+  Result<bool> look_again();
+  /// Makes the samples of all levels exact at a state, of which the last picture was made.
+  Result<void> correct(const ParamState& state);
+  /// The renderer's picture of a state on cells, without some lights.
+  Result<CellField> shown(const ParamState& state, std::span<const int> without, const SampleCells& cells);
   [[nodiscard]] bool good_enough() const;
 
   Renderer* renderer_;
@@ -54,26 +64,28 @@ class FastSolver final : public Solver {
   Random random_;
   Vec3 focus_{0.0F};
   PictureParts parts_;
-  std::array<Level, 4> levels_;
+  FastLevels levels_;
   std::vector<CellProblem> problems_;  ///< one a level
   std::vector<int> free_blocks_;       ///< blocks with something unlocked besides colours
 
   Phase phase_ = Phase::kStart;
-  std::size_t stage_ = 0;
-  std::vector<ParamState> starts_;  ///< of this stage, still to descend
-  std::vector<CellPoint> ends_;     ///< of this stage
+  std::span<const FastStage> plan_;  ///< what is left of it, the present stage first
+  std::vector<ParamState> starts_;   ///< of this stage, still to descend
+  std::vector<CellPoint> ends_;      ///< of this stage
   std::optional<GaussNewton> descent_;
   std::optional<CellPoint> incumbent_;  ///< the best point on the sharpest level that was compared in full
   std::optional<CellPoint> outcome_;    ///< the best of the present descents
   ParamState start_;
-  ParamState base_;                   ///< what a round explores around
-  std::optional<CellPoint> scouted_;  ///< the best on the middle level, not yet taken to the sharpest
-  int scouts_ = 0;                    ///< rounds of exploration before the first picture
-  double middle_start_ = 0.0;         ///< the start's cost on the middle level
-  std::vector<CellPoint> pool_;       ///< variants on the softest level
-  std::size_t explored_ = 0;          ///< free blocks done in this round
+  ParamState base_;                       ///< what a round explores around
+  std::optional<ParamState> first_look_;  ///< where the first descent came on the middle level
+  std::optional<CellPoint> scouted_;      ///< the best on the middle level, not yet taken to the sharpest
+  int scouts_ = 0;                        ///< rounds of exploration before the first picture
+  double middle_start_ = 0.0;             ///< the start's cost on the middle level
+  std::vector<CellPoint> pool_;           ///< variants on the softest level
+  std::size_t explored_ = 0;              ///< free blocks done in this round
   std::unique_ptr<SampleSimplex> simplex_;
   bool exploring_ = false;  ///< ends that are home again do not count
+  int polishes_ = 0;        ///< descents in a row from the point that the samples are exact at
   int round_ = 0;
   int idle_rounds_ = 0;  ///< in a row without a gain
   double epsilon_before_round_ = 0.0;

@@ -1,9 +1,10 @@
 #include "solve/gauss_newton.h"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+
+#include "solve/box_solve.h"
 
 namespace luminist {
 namespace {
@@ -99,53 +100,25 @@ Result<GaussNewton::Slopes> GaussNewton::slopes(const AimMap& map) const {
 
 std::vector<double> GaussNewton::step(const AimMap& map, const Slopes& slopes) const {
   const std::vector<double>& x0 = map.origin();
-  const Eigen::Index n = slopes.gradient.size();
+  const std::size_t n = x0.size();
   const double floor = 1e-6 * slopes.normal.diagonal().maxCoeff() + 1e-30;
-  std::vector<double> change(static_cast<std::size_t>(n), 0.0);
-  std::vector<bool> held(static_cast<std::size_t>(n), false);
-  // A coordinate that would leave [0,1] is put on the bound and held there; the others are solved again.
-  for (Eigen::Index round = 0; round <= n; ++round) {
-    std::vector<Eigen::Index> open;
-    for (Eigen::Index k = 0; k < n; ++k) {
-      if (!held[static_cast<std::size_t>(k)]) open.push_back(k);
-    }
-    if (open.empty()) break;
-    const auto m = static_cast<Eigen::Index>(open.size());
-    Eigen::MatrixXd a(m, m);
-    Eigen::VectorXd b(m);
-    for (Eigen::Index i = 0; i < m; ++i) {
-      b(i) = -slopes.gradient(open[static_cast<std::size_t>(i)]);
-      for (Eigen::Index k = 0; k < n; ++k) {
-        if (held[static_cast<std::size_t>(k)]) {
-          b(i) -= slopes.normal(open[static_cast<std::size_t>(i)], k) * change[static_cast<std::size_t>(k)];
-        }
-      }
-      for (Eigen::Index j = 0; j < m; ++j) {
-        a(i, j) = slopes.normal(open[static_cast<std::size_t>(i)], open[static_cast<std::size_t>(j)]);
-      }
-      a(i, i) += damping_ * std::max(a(i, i), floor) + 1e-12 * floor;
-    }
-    const Eigen::VectorXd d = a.ldlt().solve(b);
-    if (!d.allFinite()) return {};
-    bool crossed = false;
-    for (Eigen::Index i = 0; i < m; ++i) {
-      const auto k = static_cast<std::size_t>(open[static_cast<std::size_t>(i)]);
-      change[k] = d(i);
-      const double bounded = std::clamp(x0[k] + d(i), 0.0, 1.0) - x0[k];
-      if (bounded != d(i)) {
-        change[k] = bounded;
-        held[k] = crossed = true;
-      }
-    }
-    if (!crossed) break;
+  std::vector<double> a(n * n);
+  std::vector<double> b(n);
+  std::vector<double> low(n);
+  std::vector<double> high(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const auto row = static_cast<Eigen::Index>(i);
+    for (std::size_t j = 0; j < n; ++j) a[i * n + j] = slopes.normal(row, static_cast<Eigen::Index>(j));
+    a[i * n + i] += damping_ * std::max(a[i * n + i], floor) + 1e-12 * floor;
+    b[i] = -slopes.gradient(row);
+    // Colours may go any way: the trial solves them anyway.
+    const bool color = problem_->parts().scaled_by(map.units().list()[i]) >= 0;
+    low[i] = color ? -x0[i] : std::max(-x0[i], -options_.largest_step);
+    high[i] = color ? 1.0 - x0[i] : std::min(1.0 - x0[i], options_.largest_step);
   }
-  double longest = 0.0;  // colours are exempt: the trial solves them anyway
-  for (std::size_t k = 0; k < change.size(); ++k) {
-    if (problem_->parts().scaled_by(map.units().list()[k]) < 0) longest = std::max(longest, std::abs(change[k]));
-  }
-  std::vector<double> x = x0;
-  const double scale = longest > options_.largest_step ? options_.largest_step / longest : 1.0;
-  for (std::size_t k = 0; k < x.size(); ++k) x[k] = std::clamp(x[k] + scale * change[k], 0.0, 1.0);
+  std::vector<double> x(n, 0.0);
+  solve_box(a, b, low, high, x);
+  for (std::size_t k = 0; k < n; ++k) x[k] = std::clamp(x0[k] + x[k], 0.0, 1.0);
   return x;
 }
 

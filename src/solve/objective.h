@@ -19,6 +19,8 @@ class Objective {
 
   [[nodiscard]] int dofs() const { return map_.dofs(); }
   [[nodiscard]] const UnitMap& map() const { return map_; }
+  /// The lights that have something unlocked, or use the shadows of one that has; all, if anything but lights is free.
+  [[nodiscard]] const std::vector<int>& moving() const { return moving_; }
 
   /// Infinite where the renderer's error is not finite. errors the renderer's. cost one picture.
   Result<double> evaluate(std::span<const double> x);
@@ -34,6 +36,10 @@ class Objective {
   const Target* target_;
   ParamState centre_;
   UnitMap map_;
+  std::vector<int> moving_;
 };
+
+/// Places in the rig of the lights that a map's degrees of freedom change, as Objective::moving().
+std::vector<int> moving_lights(const ParamState& state, const UnitMap& map);
 
 }  // namespace luminist

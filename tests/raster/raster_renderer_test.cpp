@@ -1,5 +1,6 @@
 #include "raster/raster_renderer.h"
 
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <random>
@@ -67,6 +68,47 @@ TEST_F(RasterRendererTest, ASharedShadowLightGivesItsShadowsToAll) {
   for (std::size_t i = 0; i < fill.size(); ++i) differ += glm::length(fill[i] - own[i]) > 1e-3F ? 1 : 0;
   EXPECT_GT(differ, kWidth * kHeight / 100);
   EXPECT_GT(mean_of(shared), 0.0);
+}
+
+TEST_F(RasterRendererTest, AnErrorOfMovingLightsIsThatOfTheWholePicture) {
+  for (const char* style : {"cinematic", "toon"}) {
+    use_style(style);
+    Target target;
+    LUM_ASSERT_OK(target.color, renderer_->render(*state_));
+    target.importance = Image(kWidth, kHeight, 1, 1.0F);
+    const std::array<int, 1> moving{1};
+    for (int step = 0; step < 3; ++step) {
+      light(1).set_vec3(*light(1).schema().by_role("position"), Vec3(0.5F * static_cast<float>(step), 2.0F, 1.0F));
+      if (step == 2) light(0).set_vec3(*light(0).schema().by_role("color"), Vec3(0.3F));  // one that should stand still
+      const double shades = renderer_->work().shades;
+      LUM_ASSERT_OK(const double whole, renderer_->error(*state_, target));
+      const double whole_shades = renderer_->work().shades - shades;
+      LUM_ASSERT_OK(const double quick, renderer_->error(*state_, target, moving));
+      EXPECT_NEAR(quick, whole, 1e-6) << style << ", step " << step;  // another order of sums
+      const double quick_shades = renderer_->work().shades - shades - whole_shades;
+      if (step == 1) {
+        EXPECT_LT(quick_shades, whole_shades) << "what stands still is kept";
+      }
+    }
+  }
+}
+
+TEST_F(RasterRendererTest, ColoursAtPixelsAreThePicturesAlsoWithoutALight) {
+  use_style("cinematic");
+  const SampleSet samples = all_pixels();
+  std::vector<Vec3> colors(samples.pixels.size());
+  ParamState muted = *state_;
+  muted.rig.lights[0].muted = true;
+  const std::array<int, 1> without{0};
+  for (const ParamState* wanted : {&*state_, &muted}) {
+    LUM_ASSERT_OK(const Image picture, renderer_->render(*wanted));
+    LUM_ASSERT_OK(const Image other, renderer_->render(wanted == &muted ? *state_ : muted));
+    const std::span<const int> left_out = wanted == &muted ? std::span<const int>(without) : std::span<const int>();
+    LUM_EXPECT_OK(renderer_->colors_at(*state_, left_out, samples.pixels, colors));
+    for (std::size_t i = 0; i < colors.size(); ++i) {
+      ASSERT_LT(glm::length(colors[i] - picture.rgb(samples.pixels[i])), 1e-5F);  // another order of sums
+    }
+  }
 }
 
 TEST_F(RasterRendererTest, ABatchOfCandidatesIsThePictureWithoutShadows) {

@@ -22,6 +22,7 @@ class FakeRenderer final : public Renderer {
   [[nodiscard]] SceneFrame frame() const override { return {Vec3(0.0F, 0.5F, 0.0F), 1.6F}; }
   [[nodiscard]] const Style& style() const override { return style_; }
   Result<Image> render(const ParamState& state, const RenderOptions& options) override;
+  using Renderer::error;
   Result<double> error(const ParamState& state, const Target& target) override;
   Result<void> evaluate(std::span<const Candidate> candidates, const SampleSet& samples, const Softness& softness,
                         std::span<Vec3> out) override;

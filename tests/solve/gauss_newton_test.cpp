@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "solve/fake_renderer.h"
 #include "support/fixtures.h"
 
@@ -84,6 +86,40 @@ TEST_F(GaussNewtonTest, OnlyTheTouchedPartsOfAPictureAreEvaluated) {
   LUM_ASSERT_OK([[maybe_unused]] const bool more, descent.iterate());
   const double shades = (renderer_.work().shades - before) / static_cast<double>(level_.cells.samples.pixels.size());
   EXPECT_LE(shades, 15.0 + 6.0);  // 18 degrees of freedom without three colours, at most six trials; one light each
+}
+
+TEST_F(GaussNewtonTest, CorrectedSamplesAreExactThereAndOnlyThere) {
+  ParamState start = wanted_;
+  const int position = *light(start).schema().by_role("position");
+  light(start).set_vec3(position, light(start).vec3(position) + Vec3(0.3F, -0.1F, 0.2F));
+  level_.softness = {0.1F, 0.1F, 0.0F, 1};  // far from the picture
+  LUM_ASSERT_OK(CellProblem cells, problem(start));
+  LUM_ASSERT_OK(const Image picture, renderer_.render(start, {}));
+  std::vector<Vec3> colors;
+  for (const std::uint32_t pixel : level_.cells.samples.pixels) colors.push_back(picture.rgb(pixel));
+  const CellField shown = level_.cells.average(colors);
+  LUM_ASSERT_OK(const CellPoint before, cells.measure_as_is(start));
+  EXPECT_GT(std::abs(before.cost - cell_cost(level_.cells, shown, Norm::kUnsquared)), 1e-3);
+  cells.correct(before, shown);
+  LUM_ASSERT_OK(const CellPoint after, cells.measure_as_is(start));
+  EXPECT_NEAR(after.cost, cell_cost(level_.cells, shown, Norm::kUnsquared), 1e-6);  // floats
+  cells.correct(after, shown);
+  LUM_ASSERT_OK(const CellPoint again, cells.measure_as_is(start));
+  EXPECT_NEAR(again.cost, after.cost, 1e-6) << "a second correction at the same state changes nothing";
+  LUM_ASSERT_OK(const CellPoint elsewhere, cells.measure_as_is(wanted_));
+  EXPECT_GT(elsewhere.cost, 1e-3) << "far away the samples are what they are";
+}
+
+TEST_F(GaussNewtonTest, WhatTheRendererSaysOfLightsThatStandStillIsTaken) {
+  ParamState start = wanted_;
+  start.rig.lights.push_back(hidden_light(renderer_, "still", 9));
+  start.rig.lights[1].params.set_param_locked(-1, true);
+  LUM_ASSERT_OK(const PictureParts parts, PictureParts::create(renderer_, start, level_.cells.samples));
+  const CellField still(level_.cells.target.size(), Vec3(0.25F));
+  LUM_ASSERT_OK(const CellProblem cells, CellProblem::create(renderer_, parts, level_, start, Norm::kUnsquared, still));
+  light(start).set_vec3(*light(start).schema().by_role("color"), Vec3(0.0F));
+  LUM_ASSERT_OK(const CellPoint dark, cells.measure_as_is(start));
+  for (const Vec3& color : cells.picture(dark)) ASSERT_EQ(color, Vec3(0.25F));
 }
 
 TEST_F(GaussNewtonTest, ALightWhoseShadowEveryoneUsesTouchesEveryone) {

@@ -1,0 +1,17 @@
+#include "render/renderer.h"
+
+#include "base/check.h"
+
+namespace luminist {
+
+Result<void> Renderer::colors_at(const ParamState& state, std::span<const int> without,
+                                 std::span<const std::uint32_t> pixels, std::span<Vec3> out) {
+  LUM_CHECK(pixels.size() == out.size(), "one colour per pixel");
+  ParamState rest = state;
+  for (const int light : without) rest.rig.lights[static_cast<std::size_t>(light)].muted = true;
+  LUM_TRY(const Image picture, render(rest));
+  for (std::size_t i = 0; i < pixels.size(); ++i) out[i] = picture.rgb(pixels[i]);
+  return {};
+}
+
+}  // namespace luminist
