@@ -83,7 +83,7 @@ Result<void> LivePainting::retarget(const PixelBox& box) {
     start = std::move(*lights);
   }
   LUM_TRY(solve_, LiveSolve::create(*stage_->renderer, std::move(start), canvas_.target(), options_.solve,
-                                    {.edges = stage_->edges}));
+                                    {.picture = {}, .edges = stage_->edges}));
   return {};
 }
 

@@ -91,6 +91,9 @@ SolveOptions solve_options(const BenchTask& task, Method method, const MethodCap
 
 Result<BenchRun> run_session(Renderer& renderer, const BenchTask& task, Method method, const MethodCaps& caps,
                              std::uint64_t seed, ParamState* best) {
+  // The renderer keeps what lights add that do not move. A run pays for that itself: an error for which no light moves
+  // leaves it something else.
+  LUM_TRY_VOID(renderer.error(task.start, task.target, std::span<const int>()));
   Watch watch(renderer, task);
   LUM_TRY(SolveSession session,
           SolveSession::create(renderer, task.start, task.target, solve_options(task, method, caps, seed)));
