@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "solve/color_solve.h"
+#include "solve/box_solve.h"
 #include "verdict/lock_probe.h"
 
 namespace luminist {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "solve/color_solve.h"
+#include "solve/box_solve.h"
 
 namespace luminist {
 namespace {

@@ -6,7 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "solve/color_solve.h"
+#include "solve/box_solve.h"
 
 namespace luminist {
 namespace {
