@@ -47,6 +47,7 @@ Result<int> alternatives(const Words& words, VerbContext& context) {
   LUM_TRY_VOID(put_target(*session, words.paint, context.roots));
   console.warn(diagnostics);
   LUM_TRY_VOID(add_new_lights(*session, words.paint));
+  LUM_TRY_VOID(session->constrain(words.shot.constrain));
   LUM_TRY_VOID(apply_locks(*session, words.locks));
   const StopSignals::Grace grace(context.signals);
   const Deadline deadline(context.signals, words.seconds);

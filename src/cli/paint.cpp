@@ -31,6 +31,7 @@ Result<int> paint(const Words& words, VerbContext& context) {
   auto session = Session::open(device, context.roots, shot, ".", diagnostics);
   context.console.warn(diagnostics);
   if (!session) return std::move(session).error();
+  LUM_TRY_VOID((*session)->constrain(words.shot.constrain));
   LUM_TRY_VOID((*session)->paint(strokes, path));
   LUM_TRY(const Target* target, (*session)->target());
   const std::string importance = importance_path(words.output);

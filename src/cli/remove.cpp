@@ -39,6 +39,7 @@ Result<int> remove(const Words& words, VerbContext& context) {
   Diagnostics diagnostics;
   LUM_TRY(const auto session, Session::open(device, context.roots, shot, ".", diagnostics));
   console.warn(diagnostics);
+  LUM_TRY_VOID(session->constrain(words.shot.constrain));
   LUM_TRY_VOID(apply_locks(*session, words.locks));
   LUM_TRY(const RemovalFacts facts, start_removal(*session, words.light, words.options));
   const StopSignals::Grace grace(context.signals);

@@ -3,6 +3,7 @@
 
 #include "cli/shot_words.h"
 #include "image_io/image_io.h"
+#include "studio/constraint_words.h"
 #include "studio/stage.h"
 
 namespace luminist {
@@ -21,7 +22,8 @@ Result<int> render(const Words& words, VerbContext& context) {
   auto stage = open_stage(device, context.roots, shot, ".", diagnostics);
   context.console.warn(diagnostics);
   if (!stage) return std::move(stage).error();
-  LUM_TRY(const ParamState state, starting_state(**stage, context.roots, shot, "."));
+  LUM_TRY(ParamState state, starting_state(**stage, context.roots, shot, "."));
+  LUM_TRY_VOID(add_constraints(state.rig, words.shot.constrain, (*stage)->renderer->surface(), (*stage)->bounds));
   if (state.rig.lights.empty()) {
     Diagnostics dark;
     dark.warn(shot.scene, "no lights, so only the dim ambient shows; give --rig, or paint and solve");

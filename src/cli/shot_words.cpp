@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "studio/constraint_words.h"
+
 namespace luminist {
 namespace {
 
@@ -49,6 +51,9 @@ void declare_shot(CLI::App& app, ShotWords& words) {
   app.add_option("--set", words.shot.set, "Sets a parameter, as lights/key/color=1,0.9,0.8; may be repeated")
       ->allow_extra_args(false)
       ->type_name("PATH=VALUE");
+  app.add_option("--constrain", words.constrain, std::string("Holds from now on; may be repeated. ") + kConstraintForms)
+      ->allow_extra_args(false)
+      ->type_name("RULE");
   app.add_flag("--floor", words.shot.scene_options.floor, "Puts a floor under the scene");
   app.add_flag("--wall", words.shot.scene_options.wall, "Puts a wall behind the scene");
 }

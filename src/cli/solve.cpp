@@ -81,6 +81,7 @@ Result<int> solve(const Words& words, VerbContext& context) {
   LUM_TRY_VOID(std::move(prepared));
   const std::unique_ptr<Session> session = std::move(*opened);
   LUM_TRY_VOID(add_new_lights(*session, words.paint));
+  LUM_TRY_VOID(session->constrain(words.shot.constrain));
   LUM_TRY_VOID(apply_locks(*session, words.locks));
   const StopSignals::Grace grace(context.signals);
   const Deadline deadline(context.signals, words.seconds);
@@ -125,6 +126,8 @@ Verb declare_solve(CLI::App& app) {
       "  luminist solve meshes/still_life/still_life.glb --paint strokes.json --add-light 1 -o out\n"
       "  luminist solve scene.glb --rig out/rig.toml --paint more.json --lock '*' --unlock 'lights/light/barn' -o "
       "out2\n"
+      "  luminist solve scene.glb --rig rig.toml --paint strokes.json --constrain 'lights/key on ceiling' "
+      "--constrain 'lights/rim same color as lights/key times 0.5' -o out4\n"
       "  luminist solve scene.glb --rig rig.toml --target wanted.exr --until 0.01 --seconds 60 --json -o out3");
   return [words, &app](VerbContext& context) {
     note_lock_order(app, words->locks);

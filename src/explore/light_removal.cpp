@@ -35,9 +35,7 @@ Image light_part(const Image& with, const Image& without) {
 
 ParamState without_light(const ParamState& state, std::size_t light) {
   ParamState result = state;
-  const auto gone = result.rig.lights.begin() + static_cast<std::ptrdiff_t>(light);
-  if (result.rig.shadow_light == gone->name) result.rig.shadow_light.clear();
-  result.rig.lights.erase(gone);
+  remove_light(result.rig, state.rig.lights[light].name);
   return result;
 }
 

@@ -7,7 +7,8 @@
 
 namespace luminist {
 
-/// The same lights without one. Lights that shared its shadow map have their own again.
+/// The same lights without one and without the constraints that name it. Lights that shared its shadow map have their
+/// own again.
 ParamState without_light(const ParamState& state, std::size_t light);
 
 /// A picture to be kept: everything counts alike, nothing is painted.

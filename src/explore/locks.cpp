@@ -42,7 +42,7 @@ ParamState with_locks_of(ParamState values, const ParamState& locks) {
   const std::vector<const ParamBlock*> from = locks.blocks();
   LUM_CHECK(to.size() == from.size(), "both states have the same lights");
   for (std::size_t b = 0; b < to.size(); ++b) {
-    for (int dof = 0; dof < to[b]->schema().dofs(); ++dof) to[b]->set_locked(dof, from[b]->locked(dof));
+    for (int dof = 0; dof < to[b]->schema().dofs(); ++dof) to[b]->set_locked(dof, from[b]->locked_by_hand(dof));
   }
   return values;
 }

@@ -51,6 +51,7 @@ ParamBlock::ParamBlock(std::shared_ptr<const ParamSchema> schema, const SceneFra
   LUM_CHECK(schema_ != nullptr, "a block has a schema");
   bytes_.resize(schema_->byte_size());
   locked_.resize(static_cast<std::size_t>(schema_->dofs()));
+  following_.resize(locked_.size());
   for (int param = 0; param < schema_->size(); ++param) {
     const ParamSpec& spec = (*schema_)[param];
     for (int c = 0; c < spec.components(); ++c) {
@@ -110,6 +111,15 @@ void ParamBlock::set_param_locked(int param, bool locked) {
   }
   const ParamSpec& spec = schema()[param];
   for (int i = 0; i < spec.dofs(); ++i) set_locked(spec.first_dof + i, locked);
+}
+
+void ParamBlock::set_param_following(int param, bool following) {
+  if (param < 0) {
+    following_.assign(following_.size(), following);
+    return;
+  }
+  const ParamSpec& spec = schema()[param];
+  for (int i = 0; i < spec.dofs(); ++i) following_[static_cast<std::size_t>(spec.first_dof + i)] = following;
 }
 
 bool ParamBlock::same_values(const ParamBlock& other) const {

@@ -37,10 +37,16 @@ class ParamBlock {
   /// Stores the three numbers as they are; whoever sets a direction gives a unit vector.
   void set_vec3(int param, const Vec3& value);
 
-  [[nodiscard]] bool locked(int dof) const { return locked_[static_cast<std::size_t>(dof)]; }
+  /// Whether it is no degree of freedom at present: locked by hand, or following another block.
+  [[nodiscard]] bool locked(int dof) const { return locked_by_hand(dof) || following(dof); }
+  [[nodiscard]] bool locked_by_hand(int dof) const { return locked_[static_cast<std::size_t>(dof)]; }
+  [[nodiscard]] bool following(int dof) const { return following_[static_cast<std::size_t>(dof)]; }
   void set_locked(int dof, bool locked) { locked_[static_cast<std::size_t>(dof)] = locked; }
   /// Locks or unlocks every degree of freedom of one parameter, or of all with param < 0.
   void set_param_locked(int param, bool locked);
+  /// The same for what follows; only who makes it follow says so. It comes from the rig's constraints and is in no
+  /// file.
+  void set_param_following(int param, bool following);
 
   /// Same schema, same bytes; locks do not count.
   [[nodiscard]] bool same_values(const ParamBlock& other) const;
@@ -48,7 +54,8 @@ class ParamBlock {
  private:
   std::shared_ptr<const ParamSchema> schema_;
   std::vector<std::byte> bytes_;
-  std::vector<bool> locked_;
+  std::vector<bool> locked_;     ///< by hand
+  std::vector<bool> following_;  ///< set from elsewhere
 };
 
 }  // namespace luminist

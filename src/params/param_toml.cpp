@@ -65,7 +65,7 @@ std::vector<std::string> unlocked_names(const ParamBlock& block) {
   for (const ParamSpec& spec : block.schema().specs()) {
     std::vector<std::string> parts;
     for (int c = 0; c < spec.dofs(); ++c) {
-      if (!block.locked(spec.first_dof + c)) parts.push_back(toml_string(dof_name(spec, c)));
+      if (!block.locked_by_hand(spec.first_dof + c)) parts.push_back(toml_string(dof_name(spec, c)));
     }
     if (!parts.empty() && static_cast<int>(parts.size()) == spec.dofs()) parts = {toml_string(spec.name)};
     names.insert(names.end(), parts.begin(), parts.end());

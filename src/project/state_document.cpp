@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "params/param_text.h"
+#include "project/constraint_json.h"
 
 namespace luminist {
 namespace {
@@ -24,7 +25,7 @@ void write_block(const std::string& path, const ParamBlock& block, Document& doc
     document.set(path + "/" + spec.name, param_to_json(block, param).dump());
     if (spec.dofs() == 0) continue;
     Json locks = Json::array();
-    for (int dof = 0; dof < spec.dofs(); ++dof) locks.push_back(block.locked(spec.first_dof + dof));
+    for (int dof = 0; dof < spec.dofs(); ++dof) locks.push_back(block.locked_by_hand(spec.first_dof + dof));
     document.set(fmt::format("locks/{}/{}", path, spec.name), locks.dump());
   }
 }
@@ -100,6 +101,7 @@ void write_state(const ParamState& state, Document& document) {
   }
   document.set("rig/lights", names.dump());
   document.set("rig/shadow_light", Json(state.rig.shadow_light).dump());
+  document.set("rig/constraints", constraints_to_json(state.rig.constraints));
   for (const Light& light : state.rig.lights) {
     const std::string path = "lights/" + light.name;
     document.set(path + "/@type", Json(light.type).dump());
@@ -124,6 +126,9 @@ Result<ParamState> read_state(const Document& document, const LightTypes& types,
   LUM_TRY(state.rig.shadow_light, text_at(document, "rig/shadow_light"));
   LUM_TRY_VOID(read_block(document, "ambient", state.rig.ambient));
   LUM_TRY_VOID(read_block(document, "style", state.style));
+  LUM_TRY(state.rig.constraints, constraints_from_json(document.get("rig/constraints")));
+  if (const auto fault = find_fault(state.rig)) return wrong("rig/constraints", fault->what);
+  keep_constraints(state.rig);
   return state;
 }
 

@@ -72,6 +72,11 @@ std::vector<std::string> param_paths(const ParamState& state, bool with_dofs) {
   return names;
 }
 
+/// Whether a parameter is another light's business: the whole of it follows.
+bool follows(const ParamBlock& params, const ParamSpec& spec) {
+  return spec.dofs() > 0 && params.following(spec.first_dof);
+}
+
 Error unmatched(const ParamState& state, std::string_view pattern) {
   const std::vector<std::string> all = param_paths(state, false);
   const bool known =
@@ -81,7 +86,7 @@ Error unmatched(const ParamState& state, std::string_view pattern) {
       known ? fmt::format("\"{}\" has no degree of freedom", pattern) : fmt::format("\"{}\" matches nothing", pattern),
       "", std::string(pattern),
       nearest_hint(pattern, param_paths(state, true),
-                   "write a path as lights/NAME/color, group:NAME/color or style/*")};
+                   "write a path as lights/NAME, lights/NAME/color, group:NAME/color or style/*")};
 }
 
 }  // namespace
@@ -126,7 +131,11 @@ Result<void> set_path(ParamState& state, std::string_view assignment) {
   if (block != prefixes.end()) {
     ParamBlock& params = *state.blocks()[static_cast<std::size_t>(block - prefixes.begin())];
     const std::string_view name = path.substr(slash + 1);
-    if (params.schema().find(name)) {
+    if (const std::optional<int> param = params.schema().find(name)) {
+      if (follows(params, params.schema()[*param])) {
+        return Error{ErrorKind::kUsage, "it follows another light", "", std::string(path),
+                     "set that light's, or drop the constraint"};
+      }
       auto done = set_from_text(params, name, assignment.substr(equals + 1));
       if (done) return {};
       Error error = std::move(done).error();
@@ -167,8 +176,9 @@ Result<int> set_locked(ParamState& state, std::string_view pattern, bool locked)
   const std::vector<ParamBlock*> blocks = state.blocks();
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     const std::vector<std::string> prefixes = block_prefixes(state, b);
+    const bool block = std::find(prefixes.begin(), prefixes.end(), pattern) != prefixes.end();
     for (const ParamSpec& spec : blocks[b]->schema().specs()) {
-      const bool whole = any_matches(pattern, prefixes, spec.name);
+      const bool whole = block || any_matches(pattern, prefixes, spec.name);
       for (int c = 0; c < spec.dofs(); ++c) {
         if (!whole && !any_matches(pattern, prefixes, dof_name(spec, c))) continue;
         blocks[b]->set_locked(spec.first_dof + c, locked);

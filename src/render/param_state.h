@@ -31,7 +31,7 @@ inline int light_block(int light) {
 ParamState initial_state(const LightTypes& types, const Style& style, const SceneFrame& frame);
 
 /// Sets "lights/key/barn=0.3,0.3,0.1", "ambient/color=...", "style/threshold=...".
-/// errors kUsage: no '=', unknown path (with the nearest), bad value.
+/// errors kUsage: no '=', unknown path (with the nearest), bad value, or what follows another light.
 Result<void> set_path(ParamState& state, std::string_view assignment);
 
 /// "20 is outside the range 0 to 1": what is said of a parameter outside of its range; "" inside, for an unknown path
@@ -39,7 +39,8 @@ Result<void> set_path(ParamState& state, std::string_view assignment);
 std::string range_note(const ParamState& state, std::string_view path, const SceneFrame& frame);
 
 /// Locks or unlocks what matches a pattern: "lights/key/color", "lights/*/position", "style/*", "*", or a group as
-/// "group:fill/color"; a component as "lights/key/position.y". '*' stands for any run of characters.
+/// "group:fill/color"; a component as "lights/key/position.y"; all of a light or a group as "lights/key", "group:fill".
+/// '*' stands for any run of characters. What follows another light is no degree of freedom, whatever its lock.
 /// returns the number of degrees of freedom that matched. errors kUsage if none did (with the nearest path).
 Result<int> set_locked(ParamState& state, std::string_view pattern, bool locked);
 

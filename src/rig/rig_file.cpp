@@ -6,6 +6,7 @@
 #include "base/files.h"
 #include "params/param_toml.h"
 #include "params/toml_reader.h"
+#include "rig/constraint_toml.h"
 #include "rig/light_rig.h"
 
 namespace luminist {
@@ -63,6 +64,7 @@ Result<LightRig> parse_rig(const std::string& toml, const std::string& path, con
   rig.shadow_light = root.string("shadow_light", "");
   const TomlValue* ambient = root.table("ambient");
   const std::span<const TomlValue> lights = root.tables("light");
+  const std::span<const TomlValue> constraints = root.tables("constraint");
   LUM_TRY_VOID(root.finish());
   if (ambient != nullptr) {
     TomlReader read(*ambient, path, ErrorKind::kBadContent);
@@ -81,6 +83,7 @@ Result<LightRig> parse_rig(const std::string& toml, const std::string& path, con
               nearest.empty() ? "name a light of this rig" : fmt::format("did you mean \"{}\"?", nearest));
   }
   LUM_TRY_VOID(root.status());
+  LUM_TRY_VOID(read_constraints(constraints, path, rig));
   return rig;
 }
 
@@ -94,7 +97,7 @@ std::string rig_to_toml(const LightRig& rig) {
     if (light.muted) text += "muted = true\n";
     text += params_to_toml(light.params);
   }
-  return text;
+  return text + constraints_to_toml(rig);
 }
 
 Result<void> save_rig(const LightRig& rig, const std::string& path) {

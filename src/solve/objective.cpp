@@ -52,6 +52,7 @@ ParamState Objective::state(std::span<const double> x) const {
   ParamState result = centre_;
   const std::vector<ParamBlock*> blocks = result.blocks();
   map_.from_unit(x, blocks);
+  keep_constraints(result.rig);
   return result;
 }
 

@@ -11,8 +11,8 @@ namespace luminist {
 /// epsilon(x) = sum_i I_i |T_i - R_i(x)| / sum_i I_i  +  sum_k max(0, (2 x_k - 1)^2 - 1)
 ///
 /// x is [dofs()], the unlocked degrees of freedom of a state in UnitMap order, mapped to [0,1]; it may leave [0,1].
-/// Same x and same centre, same bits. The renderer and the target must outlive it. thread: the renderer's.
-/// source: Pellacini et al. 2007, sections 5 and 5.1.
+/// R_i(x) is the picture of state(x), which keeps its constraints. Same x and same centre, same bits. The renderer and
+/// the target must outlive it. thread: the renderer's. source: Pellacini et al. 2007, sections 5 and 5.1.
 class Objective {
  public:
   Objective(Renderer& renderer, ParamState centre, const Target& target);

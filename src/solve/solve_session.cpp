@@ -108,6 +108,7 @@ Result<void> check_free(const ParamState& state, const SceneFrame& frame) {
 
 Result<SolveSession> SolveSession::create(Renderer& renderer, ParamState start, Target target,
                                           const SolveOptions& options, std::shared_ptr<const EdgeMask> edges) {
+  keep_constraints(start.rig);
   LUM_TRY_VOID(check_free(start, renderer.frame()));
   sanitize(target);
   if (nothing_counts(renderer.surface(), target)) {

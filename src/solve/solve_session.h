@@ -50,8 +50,9 @@ Result<void> check_free(const ParamState& state, const SceneFrame& frame);
 /// thread: the renderer's. The renderer must outlive the session.
 class SolveSession {
  public:
-  /// Turns the unlocked degrees of freedom of start. edges: edge_pixels() of the renderer's surface, null to have it
-  /// made. errors kNothingToDo: everything locked (names the locks), the importance is zero everywhere; the renderer's.
+  /// Turns the unlocked degrees of freedom of start; its constraints hold in everything that is found.
+  /// edges: edge_pixels() of the renderer's surface, null to have it made. errors kNothingToDo: everything locked
+  /// (names the locks), the importance is zero everywhere; the renderer's.
   static Result<SolveSession> create(Renderer& renderer, ParamState start, Target target, const SolveOptions& options,
                                      std::shared_ptr<const EdgeMask> edges = nullptr);
   SolveSession(SolveSession&&) noexcept;

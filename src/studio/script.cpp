@@ -9,6 +9,7 @@
 
 #include "image_io/image_io.h"
 #include "paint/stroke.h"
+#include "studio/constraint_words.h"
 #include "studio/script_runner.h"
 
 namespace luminist {
@@ -28,6 +29,8 @@ const std::vector<ScriptRunner::Verb>& ScriptRunner::verbs() {
       {"set", {"path", "value", "values"}, &R::set},
       {"lock", {"pattern"}, &R::lock},
       {"unlock", {"pattern"}, &R::lock},
+      {"constrain", {"rules"}, &R::constrain},
+      {"set_constraints", {"rules"}, &R::constrain},
       {"add_light", {"type", "name", "group", "from_paint", "lock_others", "count"}, &R::add_light},
       {"remove_light", {"light"}, &R::remove_light},
       {"mute", {"light", "muted"}, &R::mute},
@@ -147,6 +150,17 @@ Result<void> ScriptRunner::add_light(const Action& action) {
 Result<void> ScriptRunner::remove_light(const Action& action) {
   LUM_TRY(const std::string light, action.needed_text("light"));
   return session_->remove_light(light);
+}
+
+/// "constrain" adds rules, "set_constraints" puts them in place of all there are.
+Result<void> ScriptRunner::constrain(const Action& action) {
+  LUM_TRY(const std::vector<std::string> rules, action.texts("rules"));
+  if (action.verb() == "constrain") return session_->constrain(rules);
+  LightRig rig = session_->state().rig;
+  rig.constraints.clear();
+  const Stage& stage = session_->stage();
+  LUM_TRY_VOID(add_constraints(rig, rules, stage.renderer->surface(), stage.bounds));
+  return session_->set_constraints(rig.constraints);
 }
 
 Result<void> ScriptRunner::mute(const Action& action) {

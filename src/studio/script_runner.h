@@ -56,6 +56,7 @@ class ScriptRunner {
   Result<void> lock(const Action& action);
   Result<void> add_light(const Action& action);
   Result<void> remove_light(const Action& action);
+  Result<void> constrain(const Action& action);
   Result<void> mute(const Action& action);
   Result<void> share_shadows(const Action& action);
   Result<void> load_rig(const Action& action);

@@ -85,6 +85,7 @@ Result<void> Session::commit(const std::string& label, const std::string& action
 }
 
 Result<void> Session::commit_state(const std::string& label, const std::string& action, ParamState next) {
+  keep_constraints(next.rig);
   Document document = project_.document();
   write_state(next, document);
   LUM_TRY_VOID(commit(label, action, document));

@@ -11,18 +11,11 @@
 #include "project/paint_document.h"
 #include "project/project.h"
 #include "solve/start_light.h"
+#include "studio/new_light.h"
 #include "studio/solved.h"
 #include "studio/stage.h"
 
 namespace luminist {
-
-struct NewLight {
-  std::string type = "cinematic";
-  std::string name = "light";  ///< "-2", "-3"... is appended if it is taken
-  std::string group = "";
-  bool from_paint = true;  ///< start where the paint says (paper, section 5.2); else at the type's defaults
-  bool lock_others = true;
-};
 
 /// One shot under work.
 ///
@@ -60,7 +53,7 @@ class Session {
   [[nodiscard]] bool painted() const { return has_paint(project_.document()); }
 
   // Lights and style -----------------------------------------------------------------------------------------------
-  /// Assignments as "lights/key/barn=0.3,0.3,0.1", all or none. errors kUsage.
+  /// Assignments as "lights/key/barn=0.3,0.3,0.1", all or none; constraints then move what they must. errors kUsage.
   Result<void> set(const std::vector<std::string>& assignments);
   /// returns how many degrees of freedom the pattern names. errors kUsage if none.
   Result<int> set_locked(const std::string& pattern, bool locked);
@@ -70,7 +63,13 @@ class Session {
   /// Several at once, one for each kind of paint: by place, colour and strength. returns their names, fewer than count
   /// if there are fewer kinds. errors as above.
   Result<std::vector<std::string>> add_lights(int count, const NewLight& wanted);
+  /// Its constraints, and those that name it, are dropped with a warning.
   Result<void> remove_light(const std::string& name);
+  /// What holds of lights from now on, in place of what held; the lights go where it holds. errors kUsage for what no
+  /// rig can keep (find_fault()).
+  Result<void> set_constraints(std::vector<Constraint> constraints);
+  /// Adds constraints in words (parse_constraint()); one replaces that of its light and kind. errors as both.
+  Result<void> constrain(const std::vector<std::string>& words);
   Result<void> set_muted(const std::string& name, bool muted);
   /// All lights use that light's shadow map; "" for each its own.
   Result<void> share_shadows(const std::string& name);

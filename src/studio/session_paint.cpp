@@ -58,14 +58,9 @@ Result<Canvas*> Session::canvas() {
   return &*canvas_;
 }
 
-/// A light is free if the solver may turn anything of it.
 Result<ShadowPair> Session::shadow_pair(const ParamState& lights) {
   ParamState free_lights_off = lights;
-  for (Light& light : free_lights_off.rig.lights) {
-    for (int dof = 0; dof < light.params.schema().dofs(); ++dof) {
-      if (!light.params.locked(dof)) light.muted = true;
-    }
-  }
+  for (Light& light : free_lights_off.rig.lights) light.muted = light.muted || may_change(lights.rig, light);
   ShadowPair pair;
   LUM_TRY(pair.free_lights_off, stage_->renderer->render(free_lights_off));
   LUM_TRY(pair.shadows_off, stage_->renderer->render(lights, RenderOptions{.shadows = false}));

@@ -6,6 +6,7 @@
 
 #include "project/paint_document.h"
 #include "project/state_document.h"
+#include "studio/constraint_words.h"
 #include "studio/session.h"
 
 namespace luminist {
@@ -101,10 +102,31 @@ Result<std::vector<std::string>> Session::add_lights(int count, const NewLight& 
 
 Result<void> Session::remove_light(const std::string& name) {
   ParamState next = state_;
-  LUM_TRY(const Light* light, find_light(next, name));
-  if (next.rig.shadow_light == name) next.rig.shadow_light.clear();
-  next.rig.lights.erase(next.rig.lights.begin() + (light - next.rig.lights.data()));
-  return commit_state("Remove light " + name, Json{{"do", "remove_light"}, {"light", name}}.dump(), std::move(next));
+  LUM_TRY_VOID(find_light(next, name));
+  const std::vector<Constraint> gone = luminist::remove_light(next.rig, name);
+  LUM_TRY_VOID(
+      commit_state("Remove light " + name, Json{{"do", "remove_light"}, {"light", name}}.dump(), std::move(next)));
+  for (const Constraint& constraint : gone) diagnostics_->warn(name, "dropped with the light: " + to_text(constraint));
+  return {};
+}
+
+Result<void> Session::set_constraints(std::vector<Constraint> constraints) {
+  ParamState next = state_;
+  next.rig.constraints = std::move(constraints);
+  LUM_TRY_VOID(check_constraints(next.rig));
+  std::vector<std::string> words;
+  for (const Constraint& constraint : next.rig.constraints) words.push_back(to_text(constraint));
+  const std::string label =
+      words.empty() ? "Drop all constraints" : fmt::format("Constrain {}", fmt::join(words, "; "));
+  return commit_state(label, Json{{"do", "set_constraints"}, {"rules", words}}.dump(), std::move(next));
+}
+
+Result<void> Session::constrain(const std::vector<std::string>& words) {
+  if (words.empty()) return {};
+  ParamState next = state_;
+  LUM_TRY_VOID(add_constraints(next.rig, words, stage_->renderer->surface(), stage_->bounds));
+  return commit_state(fmt::format("Constrain {}", fmt::join(words, "; ")),
+                      Json{{"do", "constrain"}, {"rules", words}}.dump(), std::move(next));
 }
 
 Result<void> Session::set_muted(const std::string& name, bool muted) {

@@ -44,6 +44,7 @@ Result<std::unique_ptr<Stage>> open_stage(Device& device, const AssetRoots& root
   LUM_TRY(Scene scene, load_scene(path, shot.scene_options, diagnostics));
   LUM_TRY(const Camera camera, choose_camera(scene, shot.camera));
   stage->frame = scene.frame();
+  stage->bounds = scene.bounds();
   for (const Camera& each : scene.cameras) stage->camera_names.push_back(each.name);
   LUM_TRY(stage->renderer,
           RasterRenderer::create(device, scene, camera, stage->types, stage->style, roots, shot.width, shot.height));
@@ -62,6 +63,7 @@ Result<ParamState> starting_state(const Stage& stage, const AssetRoots& roots, c
     LUM_TRY(state.rig.lights, from_punctual(stage.scene_lights, stage.types, stage.frame));
   }
   for (const std::string& assignment : shot.set) LUM_TRY_VOID(set_path(state, assignment));
+  keep_constraints(state.rig);
   return state;
 }
 

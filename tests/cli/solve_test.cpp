@@ -73,6 +73,68 @@ TEST_F(CliTest, MatchesAPictureAsTarget) {
   EXPECT_NEAR(json["lights"][0]["params"]["color"][2].get<double>(), 0.9, 0.05);
 }
 
+/// What the lights of a solve have unlocked, by the report.
+std::vector<std::vector<std::string>> unlocked_in(const Outcome& outcome) {
+  std::vector<std::vector<std::string>> lists;
+  const auto json = nlohmann::json::parse(outcome.out, nullptr, false);
+  if (!json.is_object()) return lists;
+  for (const auto& light : json["lights"]) lists.push_back(light["unlocked"].get<std::vector<std::string>>());
+  return lists;
+}
+
+TEST_F(CliTest, LocksHoldForSingleDegreesOfFreedomLightsAndGroupsInOptionsAndRigFiles) {
+  const std::string color = "color = [0.5, 0.5, 0.5]\n";
+  write("rig.toml", "[[light]]\nname = \"key\"\ntype = \"cinematic\"\nunlocked = [\"color.g\"]\n" + color +
+                        "[[light]]\nname = \"fill\"\ntype = \"cinematic\"\ngroup = \"soft\"\n" + color +
+                        "[[light]]\nname = \"rim\"\ntype = \"cinematic\"\n" + color);
+  ASSERT_EQ(luminist("render ball.obj --size 64x48 --rig rig.toml --set lights/key/color=0.2,0.8,0.5 -o t.exr").status,
+            0);
+  const std::string words = "solve ball.obj --size 64x48 --rig rig.toml --target t.exr --evals 20 --json -o out ";
+  using Lists = std::vector<std::vector<std::string>>;
+  const Outcome locked = luminist(words + "--lock group:soft --lock lights/rim");
+  EXPECT_EQ(unlocked_in(locked), (Lists{{"color.g"}, {}, {}}));
+  const auto lights = nlohmann::json::parse(locked.out, nullptr, false)["lights"];
+  EXPECT_EQ(lights[0]["params"]["color"][0].get<double>(), 0.5);
+  EXPECT_NEAR(lights[0]["params"]["color"][1].get<double>(), 0.8, 0.05);  // the target's, up to 1 % of the error
+  EXPECT_EQ(lights[1]["params"]["color"][1].get<double>(), 0.5);
+  EXPECT_EQ(unlocked_in(luminist(words + "--lock '*' --unlock group:soft/color --unlock lights/rim/position.y")),
+            (Lists{{}, {"color.r", "color.g", "color.b"}, {"position.y"}}));
+  EXPECT_NE(read("out/rig.toml").find("unlocked = [\"position.y\"]"), std::string::npos) << "locks are written too";
+}
+
+TEST_F(CliTest, AStyleParameterIsLockedAndUnlocked) {
+  const std::string shot = " ball.obj --size 64x48 --style toon --rig rig.toml ";
+  ASSERT_EQ(luminist("render" + shot + "--set style/bright=0.6,0.6,0.6 -o t.exr").status, 0);
+  const std::string words = "solve" + shot + "--target t.exr --evals 20 -o out --lock '*' ";
+  const auto bright = [&] { return nlohmann::json::parse(read("out/style.json"), nullptr, false)["bright"][0]; };
+  ASSERT_EQ(luminist(words + "--unlock lights/key/barn").status, 0);
+  EXPECT_EQ(bright().get<double>(), 1.0);
+  ASSERT_EQ(luminist(words + "--unlock 'style/*'").status, 0);
+  EXPECT_LT(bright().get<double>(), 0.9);
+}
+
+TEST_F(CliTest, ConstraintsHoldInWhatASolveFindsAndInItsRigFile) {
+  const Outcome outcome =
+      luminist(std::string(kSolve) + "--constrain 'lights/light on ceiling' --solver simplex --json -o out");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const auto json = nlohmann::json::parse(outcome.out, nullptr, false);
+  ASSERT_TRUE(json.is_object()) << outcome.out;
+  EXPECT_EQ(json["lights"][0]["params"]["position"][1].get<double>(), 2.0);  // the top of the ball
+  EXPECT_LT(json["epsilon"].get<double>(), json["epsilon_start"].get<double>());
+  EXPECT_NE(read("out/rig.toml").find("on_plane = { point = [0, 2, 0], normal = [0, -1, 0] }"), std::string::npos)
+      << read("out/rig.toml");
+  ASSERT_EQ(luminist("render ball.obj --size 64x48 --rig out/rig.toml -o again.exr").status, 0);
+  LUM_ASSERT_OK(const Image picture, read_image(folder_.file("out/picture.exr")));
+  LUM_ASSERT_OK(const Image again, read_image(folder_.file("again.exr")));
+  EXPECT_EQ(picture.data, again.data);
+}
+
+TEST_F(CliTest, AConstraintThatIsNotUnderstoodSaysWhichWords) {
+  const Outcome outcome = luminist("render ball.obj --rig rig.toml --constrain 'lights/kay on ceiling' -o a.exr");
+  expect_error(outcome, 2);
+  EXPECT_NE(outcome.err.find("did you mean \"key\""), std::string::npos) << outcome.err;
+}
+
 TEST_F(CliTest, UntilAnErrorThatIsNotReachedEndsWithOne) {
   EXPECT_EQ(luminist(std::string(kSolve) + "--until 0.0000001 -o out").status, 1);
   EXPECT_TRUE(exists("out/picture.exr"));

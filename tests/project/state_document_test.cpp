@@ -95,6 +95,54 @@ TEST_F(StateDocument, WritingTwiceChangesNothing) {
   EXPECT_EQ(document.hash(), hash);
 }
 
+TEST_F(StateDocument, KeepsConstraintsAndTheyHold) {
+  for (unsigned seed = 0; seed < 20; ++seed) {
+    ParamState written = random_state(seed);
+    Light twin = written.rig.lights[0];
+    twin.name = "twin";
+    written.rig.lights.push_back(twin);
+    const Plane plane{Vec3(0.1F, 0.2F, 0.3F), Vec3(0.4F, -0.5F, 0.6F)};
+    written.rig.constraints = {{"twin", MirrorOf{"my cinematic", plane}},
+                               {"my cinematic", OnPlane{plane}},
+                               {"my cinematic", AtDistance{1.7F, Vec3(0.3F, 0.1F, 0.2F)}},
+                               {"my point", SameColor{"twin", 0.3F}}};
+    ASSERT_FALSE(find_fault(written.rig));
+    keep_constraints(written.rig);
+    Document document;
+    write_state(written, document);
+    LUM_ASSERT_OK(const ParamState read, read_state(document, types_, style_, frame_));
+    ASSERT_EQ(read.rig.constraints.size(), 4U);
+    for (std::size_t i = 0; i < 4; ++i) {
+      EXPECT_EQ(to_text(read.rig.constraints[i]), to_text(written.rig.constraints[i]));
+    }
+    for (std::size_t i = 0; i < 3; ++i) {
+      const ParamBlock& before = written.rig.lights[i].params;
+      const ParamBlock& after = read.rig.lights[i].params;
+      EXPECT_TRUE(before.same_values(after)) << i;
+      for (int dof = 0; dof < before.schema().dofs(); ++dof) {
+        EXPECT_EQ(before.locked_by_hand(dof), after.locked_by_hand(dof));
+        EXPECT_EQ(before.following(dof), after.following(dof));
+      }
+    }
+    written.rig.constraints.clear();
+    write_state(written, document);
+    EXPECT_FALSE(document.has("rig/constraints"));
+  }
+}
+
+TEST_F(StateDocument, RefusesConstraintsThatItCannotReadOrKeep) {
+  Document whole;
+  write_state(random_state(3), whole);
+  for (const char* value : {"7", "{", "[{}]", R"([{"light": "my point", "on_plane": {"point": [0, 1]}}])",
+                            R"([{"light": "ghost", "same_color": {"light": "my point", "factor": 1}}])"}) {
+    Document document = whole;
+    document.set("rig/constraints", value);
+    const Error error = error_of(read_state(document, types_, style_, frame_));
+    EXPECT_EQ(error.kind, ErrorKind::kBadContent) << value;
+    EXPECT_EQ(error.field, "rig/constraints") << value;
+  }
+}
+
 TEST_F(StateDocument, NamesThePathThatItCannotRead) {
   Document whole;
   write_state(random_state(3), whole);

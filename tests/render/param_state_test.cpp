@@ -132,6 +132,25 @@ TEST_F(ParamStateTest, UnlocksTheLightsOfAGroup) {
   for (const std::string& name : names) EXPECT_EQ(name.rfind("lights/fill-", 0), 0U) << name;
 }
 
+TEST_F(ParamStateTest, ThePathOfABlockAloneIsAllOfIt) {
+  EXPECT_EQ(unlocked_by("lights/key").size(), 18U);
+  EXPECT_EQ(unlocked_by("group:fill"), unlocked_by("group:fill/*"));
+  EXPECT_EQ(unlocked_by("style"), unlocked_by("style/*"));
+  EXPECT_EQ(unlocked_by("ambient").size(), 3U);
+}
+
+TEST_F(ParamStateTest, WhatFollowsAnotherLightIsNotSetAndStaysNoDegreeOfFreedom) {
+  state_.rig.constraints = {{"fill-right", SameColor{"key"}}};
+  keep_constraints(state_.rig);
+  const Error error = error_of(set_path(state_, "lights/fill-right/color=1,1,1"));
+  EXPECT_EQ(error.kind, ErrorKind::kUsage);
+  EXPECT_NE(error.message().find("follows another light"), std::string::npos) << error.message();
+  LUM_EXPECT_OK(set_path(state_, "lights/fill-right/position=1,1,1"));
+  LUM_EXPECT_OK(set_locked(state_, "*", true));
+  LUM_EXPECT_OK(set_locked(state_, "lights/*/color.r", false));
+  EXPECT_EQ(free_names(), (std::vector<std::string>{"lights/key/color.r", "lights/fill-left/color.r"}));
+}
+
 TEST_F(ParamStateTest, LocksAgain) {
   LUM_EXPECT_OK(set_locked(state_, "*", false));
   LUM_ASSERT_OK(const int count, set_locked(state_, "lights/key/barn.z", true));
