@@ -169,6 +169,24 @@ void keep_constraints(LightRig& rig) {
   for (Light& light : rig.lights) keep(rig, light, kept);
 }
 
+std::vector<Tie> tied_to(const LightRig& rig, std::size_t light, int param) {
+  std::vector<Tie> ties{{light, 1.0F}};
+  const bool color = color_of(rig.lights[light]) == param;
+  for (std::size_t i = 0; i < ties.size(); ++i) {
+    for (const Constraint& constraint : rig.constraints) {
+      const std::string* name = leader(constraint);
+      const auto* same = std::get_if<SameColor>(&constraint.rule);
+      if (name == nullptr || *name != rig.lights[ties[i].light].name || (same != nullptr && !color)) continue;
+      const Light* follower = rig.find(constraint.light);
+      if (follower == nullptr) continue;
+      const auto index = static_cast<std::size_t>(follower - rig.lights.data());
+      const bool known = std::any_of(ties.begin(), ties.end(), [&](const Tie& tie) { return tie.light == index; });
+      if (!known) ties.push_back({index, ties[i].factor * (same != nullptr ? same->factor : 1.0F)});
+    }
+  }
+  return ties;
+}
+
 bool may_change(const LightRig& rig, const Light& light) {
   const Light* at = &light;
   for (std::size_t steps = 0; at != nullptr && steps <= rig.lights.size(); ++steps) {

@@ -64,6 +64,14 @@ const std::string* leader(const Constraint& constraint);
 /// cost O(lights + constraints). thread any.
 void keep_constraints(LightRig& rig);
 
+/// A light that has something of another.
+struct Tie {
+  std::size_t light = 0;  ///< its place in the rig
+  float factor = 1.0F;    ///< of the other's colour
+};
+/// The lights that a parameter of one reaches: itself first, then mirror images and, for its colour, what has that.
+std::vector<Tie> tied_to(const LightRig& rig, std::size_t light, int param);
+
 /// Whether a solver may change anything of a light: what is unlocked in it, or in a light that it follows.
 bool may_change(const LightRig& rig, const Light& light);
 

@@ -85,6 +85,7 @@ ParamState AimMap::at(std::span<const double> x) const {
   ParamState state = base_;
   const std::vector<ParamBlock*> blocks = state.blocks();
   units_.from_unit(x, blocks);
+  keep_constraints(state.rig);  // a light aims from where it may stand
   for (const AimedLight& light : aimed_) {
     ParamBlock& params = state.rig.lights[light.light].params;
     const Vec3 to_aim = light.place + light.distance * light.way - params.vec3(light.position);
@@ -94,6 +95,7 @@ ParamState AimMap::at(std::span<const double> x) const {
     params.set_vec3(light.direction, glm::normalize(way));
     if (length != light.distance) keep_footprint(params, frame_, light.distance, length);
   }
+  if (!state.rig.constraints.empty()) keep_constraints(state.rig);  // what follows the aimed ones
   return state;
 }
 

@@ -23,6 +23,7 @@ class AimMap {
   [[nodiscard]] int dofs() const { return units_.dofs(); }
   /// The state's own coordinates, moved into [0,1] where a value is out of its range. [dofs()]
   [[nodiscard]] const std::vector<double>& origin() const { return origin_; }
+  /// Constraints hold in it.
   [[nodiscard]] ParamState at(std::span<const double> x) const;
 
  private:

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <list>
 
 #include "solve/objective.h"
 
@@ -44,6 +45,24 @@ Result<bool> scales(Renderer& renderer, const ParamState& state, const Part& par
   return true;
 }
 
+/// The parts that one colour scales stand together: if it does not scale one of them, it is as another parameter.
+void tie_colors(const LightRig& rig, std::vector<Part>& parts) {
+  for (std::size_t light = 0; light < rig.lights.size(); ++light) {
+    const std::optional<int> color = rig.lights[light].params.schema().by_role("color");
+    if (!color) continue;
+    const std::vector<Tie> ties = tied_to(rig, light, *color);
+    const bool scaling =
+        std::all_of(ties.begin(), ties.end(), [&](const Tie& tie) { return parts[tie.light + 1].color_param >= 0; });
+    for (const Tie& tie : ties) {
+      if (scaling) {
+        parts[light + 1].colored.push_back({static_cast<int>(tie.light + 1), tie.factor});
+      } else {
+        parts[tie.light + 1].color_param = -1;
+      }
+    }
+  }
+}
+
 ColorRange range_of(const ParamState& state, const Part& part, const SceneFrame& frame) {
   ColorRange range;
   if (part.color_param < 0) return range;
@@ -77,18 +96,19 @@ Vec3 part_color(const ParamState& state, const Part& part) {
 Result<PictureParts> PictureParts::create(Renderer& renderer, const ParamState& state, const SampleSet& probe) {
   PictureParts result;
   if (renderer.style().lights == LightCombination::kJoint) {
-    result.parts_.push_back({Candidate::kAllLights, -1});
+    result.parts_.push_back({Candidate::kAllLights, -1, {}});
     return result;
   }
-  result.parts_.push_back({Candidate::kNoLights, -1});
+  result.parts_.push_back({Candidate::kNoLights, -1, {}});
   for (int light = 0; light < static_cast<int>(state.rig.lights.size()); ++light) {
-    Part part{light, color_param_of(state.rig.lights[static_cast<std::size_t>(light)])};
+    Part part{light, color_param_of(state.rig.lights[static_cast<std::size_t>(light)]), {}};
     if (part.color_param >= 0) {
       LUM_TRY(const bool linear, scales(renderer, state, part, probe));
       if (!linear) part.color_param = -1;
     }
     result.parts_.push_back(part);
   }
+  tie_colors(state.rig, result.parts_);
   return result;
 }
 
@@ -101,9 +121,14 @@ std::vector<int> PictureParts::touched_by(const ParamState& state, const Dof& do
     for (int part = 0; part < static_cast<int>(parts_.size()); ++part) all.push_back(part);
     return all;
   }
-  const int part = dof.block;  // part 0 is the base, block 0 the ambient: both are followed by the lights
-  const Light& light = state.rig.lights[static_cast<std::size_t>(part - 1)];
-  if (state.rig.shadow_light != light.name || scaled_by(dof) >= 0) return {part};
+  // Part 0 is the base, block 0 the ambient: both are followed by the lights.
+  std::vector<int> touched;
+  bool shared = false;
+  for (const Tie& tie : tied_to(state.rig, static_cast<std::size_t>(dof.block - 1), dof.param)) {
+    touched.push_back(static_cast<int>(tie.light) + 1);
+    shared = shared || state.rig.shadow_light == state.rig.lights[tie.light].name;
+  }
+  if (!shared || scaled_by(dof) >= 0) return touched;
   for (int other = 1; other < static_cast<int>(parts_.size()); ++other) all.push_back(other);
   return all;  // its shadow map is everyone's
 }
@@ -183,6 +208,7 @@ Result<std::vector<CellField>> CellProblem::evaluate(std::span<const Request> re
 Result<std::vector<CellPoint>> CellProblem::measure(std::vector<ParamState> states, const CellPoint* base,
                                                     std::span<const int> changed) const {
   const std::span<const int> wanted = base != nullptr ? changed : std::span<const int>(free_parts_);
+  for (ParamState& state : states) keep_constraints(state.rig);
   std::vector<Request> requests;
   for (const ParamState& state : states) {
     for (const int part : wanted) requests.push_back({&state, part});
@@ -221,6 +247,15 @@ void CellProblem::correct(const CellPoint& point, const CellField& shown) {
   for (std::size_t c = 0; c < offset_.size(); ++c) offset_[c] += shown[c] - sampled[c];
 }
 
+CellField CellProblem::white(const CellPoint& point, int part) const {
+  CellField sum(static_cast<std::size_t>(level_->cells.size()), Vec3(0.0F));
+  for (const ColoredPart& colored : parts_->list()[static_cast<std::size_t>(part)].colored) {
+    const CellField& field = point.fields[static_cast<std::size_t>(colored.part)];
+    for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += colored.factor * field[c];
+  }
+  return sum;
+}
+
 CellField CellProblem::picture(const CellPoint& point) const {
   CellField sum = offset_;
   for (std::size_t part = 0; part < point.fields.size(); ++part) {
@@ -236,16 +271,22 @@ void CellProblem::settle(CellPoint& point) const {
   std::vector<ColorRange> ranges;
   std::vector<Vec3> colors;
   std::vector<std::size_t> solved;
+  std::vector<bool> tied(point.fields.size(), false);  // its colour is solved with another's
+  std::list<CellField> sums;
   for (std::size_t part = 0; part < point.fields.size(); ++part) {
     const ColorRange& range = ranges_[part];
+    if (!range.free[0] && !range.free[1] && !range.free[2]) continue;
+    const Part& scaled = parts_->list()[part];
+    for (const ColoredPart& colored : scaled.colored) tied[static_cast<std::size_t>(colored.part)] = true;
+    const bool alone = scaled.colored.size() == 1;
+    white.push_back(alone ? &point.fields[part] : &sums.emplace_back(this->white(point, static_cast<int>(part))));
+    ranges.push_back(range);
+    colors.push_back(part_color(point.state, scaled));
+    solved.push_back(part);
+  }
+  for (std::size_t part = 0; part < point.fields.size(); ++part) {
+    if (tied[part]) continue;
     const Vec3 color = part_color(point.state, parts_->list()[part]);
-    if (range.free[0] || range.free[1] || range.free[2]) {
-      white.push_back(&point.fields[part]);
-      ranges.push_back(range);
-      colors.push_back(color);
-      solved.push_back(part);
-      continue;
-    }
     for (std::size_t c = 0; c < rest.size(); ++c) rest[c] += color * point.fields[part][c];
   }
   for (std::size_t k = 0; k < colors.size(); ++k) {
@@ -261,6 +302,7 @@ void CellProblem::settle(CellPoint& point) const {
     const Part& part = parts_->list()[solved[k]];
     point.state.rig.lights[static_cast<std::size_t>(part.light)].params.set_vec3(part.color_param, colors[k]);
   }
+  if (!point.state.rig.constraints.empty()) keep_constraints(point.state.rig);  // colours that follow those
   point.cost = cell_cost(level_->cells, picture(point), norm_);
 }
 

@@ -10,11 +10,18 @@
 
 namespace luminist {
 
+/// A part that has the colour of another light, or its own.
+struct ColoredPart {
+  int part = 0;
+  float factor = 1.0F;
+};
+
 /// A summand of the picture. A style that sums its lights has what is left without lights and one part a light, white
 /// where its colour scales it; any other style is one part.
 struct Part {
   int light = Candidate::kAllLights;  ///< as in Candidate
   int color_param = -1;               ///< of a light that its colour scales: the parameter; else -1
+  std::vector<ColoredPart> colored;   ///< what its colour scales: itself and those that have it
 };
 
 /// How the picture of a rig falls into parts, and which of them a degree of freedom touches.
@@ -71,14 +78,16 @@ class CellProblem {
   /// Parts of states in one batch; result [requests.size()], white where a colour scales them.
   Result<std::vector<CellField>> evaluate(std::span<const Request> requests) const;
 
-  /// Measures states: fields, colours (written into the state), cost. One batch. Only parts in `changed` are evaluated,
-  /// the rest is base's; base may be null, then everything free is.
+  /// Measures states: fields, colours (written into the state), cost; constraints hold in what comes back. One batch.
+  /// Only parts in `changed` are evaluated, the rest is base's; base may be null, then everything free is.
   Result<std::vector<CellPoint>> measure(std::vector<ParamState> states, const CellPoint* base,
                                          std::span<const int> changed) const;
   Result<CellPoint> measure(const ParamState& state) const;
   /// The same with the state's own colours.
   Result<CellPoint> measure_as_is(const ParamState& state) const;
 
+  /// What one unit of a part's colour adds: its white field, and those of the parts that have its colour.
+  [[nodiscard]] CellField white(const CellPoint& point, int part) const;
   /// The picture of a point on the cells.
   [[nodiscard]] CellField picture(const CellPoint& point) const;
   [[nodiscard]] const std::vector<int>& free_parts() const { return free_parts_; }

@@ -55,7 +55,7 @@ Result<std::vector<CellField>> GaussNewton::columns(const AimMap& map) const {
     if (const int part = problem_->parts().scaled_by(list[k]); part >= 0) {
       const Part& scaled = problem_->parts().list()[static_cast<std::size_t>(part)];
       const Vec3 slope = (part_color(states[k], scaled) - part_color(point_.state, scaled)) * inverse;
-      const CellField& white = point_.fields[static_cast<std::size_t>(part)];
+      const CellField white = problem_->white(point_, part);
       for (std::size_t c = 0; c < column.size(); ++c) column[c] = slope * white[c];
     } else {
       for (const int touched : problem_->parts().touched_by(point_.state, list[k])) {

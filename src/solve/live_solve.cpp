@@ -167,6 +167,7 @@ Result<void> LiveSolve::Impl::retarget(const Target& target, const PixelBox& cha
 }
 
 void LiveSolve::Impl::offer(ParamState start) {
+  keep_constraints(start.rig);
   first_ = start;
   offers_.push_back(std::move(start));
   descent_.reset();
@@ -274,6 +275,7 @@ LiveSolve::~LiveSolve() = default;
 
 Result<LiveSolve> LiveSolve::create(Renderer& renderer, ParamState start, const Target& target,
                                     const SolveOptions& options, Known known) {
+  keep_constraints(start.rig);
   LUM_TRY_VOID(check_free(start, renderer.frame()));
   auto impl = std::make_unique<Impl>(renderer, std::move(start), target, options, std::move(known.edges));
   LUM_TRY_VOID(impl->begin(std::move(known.picture)));

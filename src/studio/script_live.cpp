@@ -33,7 +33,8 @@ SolveReport report_of(const LiveMeasure& measure) {
 }  // namespace
 
 std::size_t ScriptRunner::live_group(std::span<const Action> actions) {
-  constexpr std::array<std::string_view, 5> kPreparing{"add_light", "lock", "unlock", "set", "importance"};
+  constexpr std::array<std::string_view, 7> kPreparing{"add_light",       "lock", "unlock",    "constrain",
+                                                       "set_constraints", "set",  "importance"};
   if (actions.empty() || actions.front().verb() != "paint") return 0;
   for (std::size_t i = 1; i < actions.size(); ++i) {
     if (actions[i].verb() == "solve") return i + 1;

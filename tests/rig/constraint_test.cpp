@@ -153,6 +153,21 @@ TEST_F(ConstraintTest, WhatFollowsIsNoDegreeOfFreedomAndItsLockIsKept) {
   EXPECT_EQ(free_dofs(light("fill")), 18);
 }
 
+TEST_F(ConstraintTest, TiesReachThroughChains) {
+  rig_.constraints = {
+      {"rim", MirrorOf{"fill", {}}}, {"fill", SameColor{"key", 0.5F}}, {"bulb", SameColor{"rim", 3.0F}}};
+  const Light& key = light("key");
+  const std::vector<Tie> colored = tied_to(rig_, 0, param(key, "color"));
+  ASSERT_EQ(colored.size(), 4U);
+  EXPECT_EQ(colored[1].light, 1U);
+  EXPECT_EQ(colored[2].light, 2U);
+  EXPECT_EQ(colored[2].factor, 0.5F);
+  EXPECT_EQ(colored[3].light, 3U);
+  EXPECT_EQ(colored[3].factor, 1.5F);
+  EXPECT_EQ(tied_to(rig_, 0, param(key, "position")).size(), 1U);
+  EXPECT_EQ(tied_to(rig_, 1, param(key, "position")).size(), 2U);
+}
+
 TEST_F(ConstraintTest, ALightIsFreeIfTheOneItFollowsIs) {
   for (Light& each : rig_.lights) each.params.set_param_locked(-1, true);
   rig_.constraints = {{"fill", MirrorOf{"key", {}}}, {"rim", SameColor{"fill"}}};

@@ -124,7 +124,7 @@ TEST_P(ConstrainedSolvers, OneColourIsFoundForTwoLights) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(, ConstrainedSolvers, testing::Values(SolverKind::kSimplex),
+INSTANTIATE_TEST_SUITE_P(, ConstrainedSolvers, testing::Values(SolverKind::kFast, SolverKind::kSimplex),
                          [](const auto& each) { return each.param == SolverKind::kFast ? "Fast" : "Simplex"; });
 
 TEST_F(ConstrainedSolveTest, EveryStateOfAnObjectiveKeepsThem) {
