@@ -1,8 +1,10 @@
 // Solves in which constraints hold (rig/constraint.h).
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
+#include "solve/degenerate_problem.h"
 #include "solve/fake_renderer.h"
 #include "solve/objective.h"
 #include "solve/solve_session.h"
@@ -126,6 +128,55 @@ TEST_P(ConstrainedSolvers, OneColourIsFoundForTwoLights) {
 
 INSTANTIATE_TEST_SUITE_P(, ConstrainedSolvers, testing::Values(SolverKind::kFast, SolverKind::kSimplex),
                          [](const auto& each) { return each.param == SolverKind::kFast ? "Fast" : "Simplex"; });
+
+/// Constraints between lights of a rig that can be kept.
+std::vector<Constraint> random_constraints(LightRig rig, const SceneFrame& frame, Random& random) {
+  const auto name = [&] {
+    return rig.lights[static_cast<std::size_t>(random.index(static_cast<int>(rig.lights.size())))].name;
+  };
+  const Vec3 place = frame.center + frame.radius * random.direction();
+  for (int i = 0; i < 4; ++i) {
+    const Plane plane{place, random.direction()};
+    const std::vector<Constraint> kinds{{name(), OnPlane{plane}},
+                                        {name(), AtDistance{static_cast<float>(random.uniform(0.5, 3.0)), place}},
+                                        {name(), MirrorOf{name(), plane}},
+                                        {name(), SameColor{name(), static_cast<float>(random.uniform(0.0, 2.0))}}};
+    rig.constraints.push_back(kinds[static_cast<std::size_t>(random.index(4))]);
+    if (find_fault(rig)) rig.constraints.pop_back();
+  }
+  return rig.constraints;
+}
+
+TEST_F(ConstrainedSolveTest, DegenerateProblemsKeepThemAndEndWithNothingWorseThanTheirStart) {
+  constexpr std::uint64_t kProblems = 300;
+  std::array<FakeRenderer, 3> renderers{FakeRenderer(16, 16), FakeRenderer(9, 6, FakeStyle::kToon),
+                                        FakeRenderer(8, 8, FakeStyle::kTinted)};
+  int constrained = 0;
+  for (std::uint64_t seed = 0; seed < kProblems; ++seed) {
+    FakeRenderer& renderer = renderers[seed % 3];
+    LUM_ASSERT_OK(DegenerateProblem problem,
+                  degenerate_problem(renderer, renderer.empty_state(), renderer.cinematic("light"), seed));
+    LightRig& rig = problem.start.rig;
+    if (rig.lights.empty()) continue;
+    Random random(seed);
+    rig.constraints = random_constraints(rig, renderer.frame(), random);
+    constrained += rig.constraints.empty() ? 0 : 1;
+    auto session = SolveSession::create(renderer, problem.start, problem.target, problem.options);
+    if (!session) continue;  // everything is locked or follows, or nothing counts
+    for (int step = 0; step < problem.steps; ++step) {
+      LUM_ASSERT_OK(const bool more, session->step());
+      if (!more) break;
+    }
+    session->stop();
+    EXPECT_LE(session->report().epsilon, session->report().epsilon_start) << seed;
+    ParamState again = session->best();
+    keep_constraints(again.rig);
+    for (std::size_t i = 0; i < again.rig.lights.size(); ++i) {
+      EXPECT_TRUE(again.rig.lights[i].params.same_values(session->best().rig.lights[i].params)) << seed << problem.what;
+    }
+  }
+  EXPECT_GT(constrained, 150);
+}
 
 TEST_F(ConstrainedSolveTest, EveryStateOfAnObjectiveKeepsThem) {
   constrain(
