@@ -25,12 +25,17 @@ std::optional<int> only_color_free(const ParamBlock& block) {
   return color;
 }
 
+/// A free light that is known up to its colour. What follows another light changes with all that is free of that one.
+bool adds_only_color(const Light& light) {
+  return any_free(light.params) && only_color_free(light.params).has_value();
+}
+
 bool bound_exists(const Renderer& renderer, const ParamState& state) {
   const Style& style = renderer.style();
   if (style.lights != LightCombination::kSum || style.metric.blur > 0.0F) return false;
   if (any_free(state.rig.ambient) || any_free(state.style)) return false;
   const Light* shared = state.rig.shadow_light.empty() ? nullptr : state.rig.find(state.rig.shadow_light);
-  return shared == nullptr || !any_free(shared->params) || only_color_free(shared->params).has_value();
+  return shared == nullptr || !may_change(state.rig, *shared) || adds_only_color(*shared);
 }
 
 }  // namespace
@@ -43,8 +48,8 @@ Result<std::optional<AttainableColors>> AttainableColors::create(Renderer& rende
   std::vector<std::size_t> scaled;
   for (std::size_t i = 0; i < locked.rig.lights.size(); ++i) {
     Light& light = locked.rig.lights[i];
-    if (light.muted || !any_free(light.params)) continue;
-    if (only_color_free(light.params)) {
+    if (light.muted || !may_change(state.rig, light)) continue;
+    if (adds_only_color(light)) {
       scaled.push_back(i);
     } else {
       colors.open_ = true;

@@ -77,6 +77,7 @@ std::vector<ParamState> block_variants(const ParamState& state, int block, const
       const auto i = static_cast<std::size_t>(random.index(static_cast<int>(places.position.size())));
       aim(*variant.blocks()[static_cast<std::size_t>(block)], places.position[i], places.normal[i], frame, random);
     }
+    keep_constraints(variant.rig);
     variants.push_back(std::move(variant));
   }
   return variants;

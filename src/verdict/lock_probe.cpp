@@ -8,9 +8,14 @@ namespace {
 constexpr int kVariants = 9;            // of each group
 constexpr std::size_t kFinalists = 12;  // groups that descend
 
+/// Whether unlocking it would free it: what follows another light has no lock of its own to open.
+bool opens(const ParamBlock& block, int dof) {
+  return block.locked(dof) && !block.following(dof);
+}
+
 bool any_locked(const ParamBlock& block, const ParamSpec& spec) {
   for (int c = 0; c < spec.dofs(); ++c) {
-    if (block.locked(spec.first_dof + c)) return true;
+    if (opens(block, spec.first_dof + c)) return true;
   }
   return false;
 }
@@ -19,7 +24,7 @@ void include(LockedGroup& group, const ParamBlock& block, int param, const std::
   const ParamSpec& spec = block.schema()[param];
   group.params.push_back(param);
   group.patterns.push_back(path + "/" + spec.name);
-  for (int c = 0; c < spec.dofs(); ++c) group.dofs += block.locked(spec.first_dof + c) ? 1 : 0;
+  for (int c = 0; c < spec.dofs(); ++c) group.dofs += opens(block, spec.first_dof + c) ? 1 : 0;
 }
 
 bool has_part(const ParamState& state, int block) {

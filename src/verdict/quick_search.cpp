@@ -30,6 +30,7 @@ std::vector<double> unit_of(const UnitMap& map, const ParamState& state) {
 ParamState state_at(const UnitMap& map, std::span<const double> x, const ParamState& base) {
   ParamState state = base;
   map.from_unit(x, state.blocks());
+  keep_constraints(state.rig);
   return state;
 }
 
@@ -39,7 +40,8 @@ int part_of(const Renderer& renderer, const ParamState& state, const Dof& dof) {
   const bool of_light = light >= 0 && light < static_cast<int>(state.rig.lights.size());
   const bool shared = of_light && state.rig.shadow_light == state.rig.lights[static_cast<std::size_t>(light)].name;
   const bool sum = renderer.style().lights == LightCombination::kSum;
-  return of_light && sum && !shared ? light : Candidate::kAllLights;
+  const bool tied = of_light && tied_to(state.rig, static_cast<std::size_t>(light), dof.param).size() > 1;
+  return of_light && sum && !shared && !tied ? light : Candidate::kAllLights;
 }
 
 bool is_position(const ParamState& state, const Dof& dof) {
@@ -208,6 +210,7 @@ Result<std::vector<double>> QuickSearch::settle_colors(std::vector<ParamState>& 
     dark.push_back(variants[k]);
     const std::optional<int> color = free_color(variants[k], blocks[k]);
     if (color) dark.back().blocks()[static_cast<std::size_t>(blocks[k])]->set_vec3(*color, Vec3(0.0F));
+    keep_constraints(dark.back().rig);  // what has that colour is dark too
   }
   std::vector<Candidate> batch;
   for (const ParamState& state : variants) batch.push_back({&state, Candidate::kAllLights});
@@ -221,6 +224,7 @@ Result<std::vector<double>> QuickSearch::settle_colors(std::vector<ParamState>& 
       ParamBlock& block = *variants[k].blocks()[static_cast<std::size_t>(blocks[k])];
       const Vec3 factor = color_factor(block, *color, picture, without, wish, renderer_->frame());
       block.set_vec3(*color, factor * block.vec3(*color));
+      keep_constraints(variants[k].rig);
       for (std::size_t i = 0; i < picture.size(); ++i) picture[i] = without[i] + factor * (picture[i] - without[i]);
     }
     errors.push_back(wish.error(picture));

@@ -75,6 +75,26 @@ TEST(AttainableColors, TheBoundIsTightWhereOnlyColoursAreFree) {
   EXPECT_GE(bound, 0.9 * missed);  // reweighting stops near the optimum of the un-squared norm
 }
 
+TEST(AttainableColors, WhatFollowsAFreeLightIsFreeToo) {
+  FakeRenderer fake(48, 36);
+  for (const Constraint& tie : {Constraint{"fill", SameColor{"key"}},
+                                Constraint{"fill", MirrorOf{"key", {Vec3(0.0F), Vec3(1.0F, 0.0F, 0.0F)}}}}) {
+    ParamState state = two_lights(fake, 4);
+    Light& key = state.rig.lights[0];
+    key.params.set_param_locked(param(key, "color"), false);
+    state.rig.constraints = {tie};
+    keep_constraints(state.rig);
+    ParamState brighter = state;
+    ParamBlock& block = brighter.rig.lights[0].params;
+    block.set_vec3(param(key, "color"), 1.5F * block.vec3(param(key, "color")));
+    keep_constraints(brighter.rig);
+    const Target target = fake.target_of(brighter, state);
+    LUM_ASSERT_OK(const auto colors, bound_of(fake, state));
+    ASSERT_TRUE(colors);
+    EXPECT_LE(colors->least_error(target, {}), 1e-6);  // it can be had; sums of floats
+  }
+}
+
 TEST(AttainableColors, DarkerThanTheLockedLightsIsCertainlyMissed) {
   FakeRenderer fake(48, 36);
   ParamState state = two_lights(fake, 5);
