@@ -20,14 +20,21 @@ std::vector<int> moving_lights(const ParamState& state, const UnitMap& map) {
   std::vector<int> moving;
   bool all = false;
   for (const Dof& dof : map.list()) {
-    const int light = dof.block - 1;
-    all = all || light < 0 || light >= lights ||
-          state.rig.lights[static_cast<std::size_t>(light)].name == state.rig.shadow_light;
-    if (moving.empty() || moving.back() != light) moving.push_back(light);
+    if (dof.block < 1 || dof.block > lights) {
+      all = true;
+      continue;
+    }
+    for (const Tie& tie : tied_to(state.rig, static_cast<std::size_t>(dof.block - 1), dof.param)) {
+      all = all || state.rig.lights[tie.light].name == state.rig.shadow_light;
+      moving.push_back(static_cast<int>(tie.light));
+    }
   }
-  if (!all) return moving;
-  moving.resize(static_cast<std::size_t>(lights));
-  std::iota(moving.begin(), moving.end(), 0);
+  if (all) {
+    moving.resize(static_cast<std::size_t>(lights));
+    std::iota(moving.begin(), moving.end(), 0);
+  }
+  std::sort(moving.begin(), moving.end());
+  moving.erase(std::unique(moving.begin(), moving.end()), moving.end());
   return moving;
 }
 
