@@ -84,6 +84,7 @@ bool let_go(const Box& box, const Eigen::VectorXd& gradient, std::vector<Side>& 
 
 void solve_box(std::span<const double> a, std::span<const double> b, std::span<const double> low,
                std::span<const double> high, std::span<double> x) {
+  if (x.empty()) return;
   const auto n = static_cast<Eigen::Index>(x.size());
   const Box box{Matrix(a.data(), n, n), Vector(b.data(), n), Vector(low.data(), n), Vector(high.data(), n)};
   Eigen::VectorXd at(n);

@@ -97,6 +97,13 @@ TEST(SolveBox, LeavesWhatNothingDependsOn) {
   EXPECT_DOUBLE_EQ(x[1], 0.7);
 }
 
+TEST(SolveBox, NothingToSolveIsSolved) {
+  const std::vector<double> none;
+  std::vector<double> x;
+  solve_box(none, none, none, none, x);
+  EXPECT_TRUE(x.empty());
+}
+
 TEST(SolveBox, StartsOutsideTheBoundsComeIn) {
   const std::vector<double> a{1.0};
   const std::vector<double> b{-3.0};
