@@ -35,7 +35,9 @@ void Console::result(std::string_view line) {
 void Console::result(const Verdict& verdict) {
   for (const StrokeVerdict& stroke : verdict.strokes) result(verdict_line(stroke));
   std::string bounds;
-  if (verdict.least_epsilon) bounds = fmt::format("certainly not below {:.5f}", *verdict.least_epsilon);
+  if (verdict.least_epsilon && *verdict.least_epsilon > 0.01 * verdict.epsilon) {
+    bounds = fmt::format("certainly not below {:.5f}", *verdict.least_epsilon);
+  }
   if (verdict.estimated_epsilon) {
     bounds += fmt::format("{}about {:.5f} with more lights (estimate)", bounds.empty() ? "" : "; ",
                           *verdict.estimated_epsilon);

@@ -1,6 +1,8 @@
 #include "verdict/attainable.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <numeric>
 
 #include "solve/box_solve.h"
@@ -9,10 +11,12 @@
 namespace luminist {
 namespace {
 
-constexpr int kRounds = 10;                 // of reweighting, on some pixels
+constexpr int kRounds = 30;                 // of reweighting, on some pixels
 constexpr int kLastRounds = 2;              // on all
-constexpr std::size_t kFirstPixels = 4096;  // how many are some
-constexpr double kFloor = 0.01;             // of the mean error: where the un-squared norm is rounded off
+constexpr std::size_t kFirstPixels = 2048;  // how many are some
+// Where the un-squared norm is rounded off, in shares of the mean error: a wide one is solved exactly, a narrow one is
+// nearer to the norm.
+constexpr std::array kFloors = {0.3, 0.1, 0.03};
 constexpr float kNegative = -1e-3F;  // less is rounding: pictures are stored as floats and summed in another order
 
 /// The light's colour, if all that is free of it belongs to it.
@@ -91,12 +95,13 @@ Vec3 AttainableColors::residual(const Target& target, std::size_t pixel, std::sp
   return open_ ? glm::min(rest, 0.0F) : rest;
 }
 
-double AttainableColors::weighted_error(const Target& target, std::span<const std::uint32_t> pixels,
-                                        std::span<const Vec3> colors) const {
+double AttainableColors::smooth_error(const Target& target, std::span<const std::uint32_t> pixels, double floor,
+                                      std::span<const Vec3> colors) const {
   double error = 0.0;
   double importance = 0.0;
   for (const std::uint32_t pixel : pixels) {
-    error += target.importance.data[pixel] * glm::length(residual(target, pixel, colors));
+    const double length = glm::length(residual(target, pixel, colors));
+    error += target.importance.data[pixel] * std::hypot(length, floor);
     importance += target.importance.data[pixel];
   }
   return importance > 0.0 ? error / importance : 0.0;
@@ -106,6 +111,10 @@ double AttainableColors::weighted_error(const Target& target, std::span<const st
 void AttainableColors::improve(const Target& target, std::span<const std::uint32_t> pixels, double floor,
                                glm::length_t channel, std::span<const Vec3> colors, std::span<Vec3> better) const {
   const std::size_t n = scaled_.size();
+  const auto part = [&](std::size_t light, std::uint32_t pixel, glm::length_t c) {
+    return static_cast<double>(
+        scaled_[light].white.data[3 * static_cast<std::size_t>(pixel) + static_cast<std::size_t>(c)]);
+  };
   std::vector<double> a(n * n, 0.0);
   std::vector<double> b(n, 0.0);
   std::vector<double> low(n);
@@ -114,14 +123,16 @@ void AttainableColors::improve(const Target& target, std::span<const std::uint32
   for (const std::uint32_t pixel : pixels) {
     const Vec3 r = residual(target, pixel, colors);
     if (open_ && r[channel] >= 0.0F) continue;  // what is not known fills it
-    const double weight = target.importance.data[pixel] / (glm::length(r) + floor);
+    const double weight = target.importance.data[pixel] / std::hypot(glm::length(r), floor);
     for (std::size_t i = 0; i < n; ++i) {
-      const double left = weight * scaled_[i].white.rgb(pixel)[channel];
+      const double left = weight * part(i, pixel, channel);
+      if (left == 0.0) continue;
       b[i] += left * r[channel];
-      for (std::size_t j = 0; j < n; ++j) a[i * n + j] += left * scaled_[j].white.rgb(pixel)[channel];
+      for (std::size_t j = 0; j <= i; ++j) a[i * n + j] += left * part(j, pixel, channel);
     }
   }
   for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t j = 0; j < i; ++j) a[j * n + i] = a[i * n + j];
     low[i] = scaled_[i].low[channel] - colors[i][channel];
     high[i] = scaled_[i].high[channel] - colors[i][channel];
   }
@@ -132,26 +143,20 @@ void AttainableColors::improve(const Target& target, std::span<const std::uint32
   }
 }
 
-/// Moves the colours to about the least error; returns it.
-double AttainableColors::fit(const Target& target, std::span<const std::uint32_t> pixels, int rounds,
-                             std::vector<Vec3>& colors) const {
-  double error = weighted_error(target, pixels, colors);
-  for (int round = 0; round < rounds && error > 0.0; ++round) {
-    std::vector<Vec3> goal = colors;
-    for (glm::length_t c = 0; c < 3; ++c) improve(target, pixels, kFloor * error, c, colors, goal);
-    bool better = false;
-    for (float share = 1.0F; share > 0.1F && !better; share *= 0.5F) {
-      std::vector<Vec3> trial = colors;
-      for (std::size_t k = 0; k < trial.size(); ++k) trial[k] += share * (goal[k] - colors[k]);
-      const double trial_error = weighted_error(target, pixels, trial);
-      if (!(trial_error < error)) continue;
-      better = true;
-      colors = std::move(trial);
-      error = trial_error;
-    }
-    if (!better) break;
+/// Moves the colours to about the least error whose norm is rounded off at a floor.
+void AttainableColors::fit(const Target& target, std::span<const std::uint32_t> pixels, int rounds, double floor,
+                           std::vector<Vec3>& colors) const {
+  double error = smooth_error(target, pixels, floor, colors);
+  for (int round = 0; round < rounds; ++round) {
+    std::vector<Vec3> better = colors;
+    for (glm::length_t c = 0; c < 3; ++c) improve(target, pixels, floor, c, colors, better);
+    const double better_error = smooth_error(target, pixels, floor, better);
+    if (!(better_error < error)) return;
+    const bool settled = better_error > (1.0 - 1e-5) * error;
+    colors = std::move(better);
+    error = better_error;
+    if (settled) return;
   }
-  return error;
 }
 
 double AttainableColors::least_error(const Target& target, std::span<const std::uint32_t> pixels) const {
@@ -161,19 +166,30 @@ double AttainableColors::least_error(const Target& target, std::span<const std::
     std::iota(all.begin(), all.end(), 0U);
     pixels = all;
   }
+  std::vector<Vec3> start;
+  for (const Scaled& part : scaled_) start.push_back(glm::clamp(part.color, part.low, part.high));
+  const double plain = bound(target, pixels, start, 0.0);
+  if (scaled_.empty()) return plain;
   std::vector<std::uint32_t> some;
   const std::size_t stride = pixels.size() / kFirstPixels + 1;
   for (std::size_t i = stride / 2; i < pixels.size(); i += stride) some.push_back(pixels[i]);
-  std::vector<Vec3> colors;
-  for (const Scaled& part : scaled_) colors.push_back(glm::clamp(part.color, part.low, part.high));
-  if (!scaled_.empty()) fit(target, some, kRounds, colors);
-  const double error = fit(target, pixels, scaled_.empty() ? 0 : kLastRounds, colors);
-  return std::max(bound(target, pixels, colors, 0.0), bound(target, pixels, colors, kFloor * error));
+  const double scale = smooth_error(target, some, 0.0, start);
+  std::vector<Vec3> colors = start;
+  std::vector<Vec3> best = start;
+  double best_bound = -1.0;
+  double best_floor = 0.0;
+  for (const double floor : kFloors) {
+    fit(target, some, kRounds, floor * scale, colors);
+    const double found = bound(target, some, colors, floor * scale);
+    if (found > best_bound) best_bound = found, best = colors, best_floor = floor * scale;
+  }
+  if (stride > 1) fit(target, pixels, kLastRounds, best_floor, best);
+  return std::max(plain, bound(target, pixels, best, best_floor));
 }
 
 /// For any y_i with |y_i| <= I_i, and y_i <= 0 where something unknown adds: sum I |T - R| >= sum y (T - R). The right
-/// side is linear in the colours, so its least value lies in a corner of their box. The y of the last least squares
-/// make it almost flat; those without its floor are better where colours stop at their range.
+/// side is linear in the colours, so its least value lies in a corner of their box. At the least error the y of the
+/// rounded norm make it flat, but for where colours stop at their range.
 double AttainableColors::bound(const Target& target, std::span<const std::uint32_t> pixels,
                                std::span<const Vec3> colors, double floor) const {
   double sum = 0.0;
@@ -183,7 +199,7 @@ double AttainableColors::bound(const Target& target, std::span<const std::uint32
     const double weight = target.importance.data[pixel];
     importance += weight;
     const glm::dvec3 r(residual(target, pixel, colors));
-    const double length = glm::length(r) + floor;
+    const double length = std::hypot(glm::length(r), floor);
     if (!(length > 0.0)) continue;
     const glm::dvec3 y = weight / length * r;
     sum += glm::dot(y, glm::dvec3(target.color.rgb(pixel) - locked_.rgb(pixel)));

@@ -38,11 +38,12 @@ class AttainableColors {
     Vec3 high{0.0F};
     Vec3 color{0.0F};  ///< now
   };
-  double fit(const Target& target, std::span<const std::uint32_t> pixels, int rounds, std::vector<Vec3>& colors) const;
+  void fit(const Target& target, std::span<const std::uint32_t> pixels, int rounds, double floor,
+           std::vector<Vec3>& colors) const;
   [[nodiscard]] double bound(const Target& target, std::span<const std::uint32_t> pixels, std::span<const Vec3> colors,
                              double floor) const;
-  [[nodiscard]] double weighted_error(const Target& target, std::span<const std::uint32_t> pixels,
-                                      std::span<const Vec3> colors) const;
+  [[nodiscard]] double smooth_error(const Target& target, std::span<const std::uint32_t> pixels, double floor,
+                                    std::span<const Vec3> colors) const;
   void improve(const Target& target, std::span<const std::uint32_t> pixels, double floor, glm::length_t channel,
                std::span<const Vec3> colors, std::span<Vec3> better) const;
   [[nodiscard]] Vec3 residual(const Target& target, std::size_t pixel, std::span<const Vec3> colors) const;

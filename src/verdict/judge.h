@@ -21,8 +21,9 @@ struct JudgeOptions {
 /// near as light comes.
 ///
 /// Works through evaluate() and pictures alone. A style whose metric blurs is judged by the same points without blur.
-/// errors the renderer's. cost 10 to 20 ms for the picture and about 100 ms for each stroke that is not met at any
-/// size of the picture; besides, once if any is not met, the pictures of AttainableColors. thread: the renderer's.
+/// errors the renderer's. cost for each stroke that is not met a few hundred candidates several times over on 64 to
+/// some hundred samples, whatever the size of the picture; besides, once if any is not met, the pictures of
+/// AttainableColors. thread: the renderer's.
 Result<Verdict> judge(Renderer& renderer, const ParamState& state, const Target& target, const Image& picture,
                       const JudgeOptions& options = {});
 

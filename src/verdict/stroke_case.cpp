@@ -36,6 +36,13 @@ std::string most_changed(const ParamState& from, const ParamState& to, const Sce
   return name;
 }
 
+/// "a", "a and b", "a, b and c".
+std::string listed(const std::vector<std::string>& words) {
+  if (words.size() < 2) return words.empty() ? "" : words.front();
+  const std::vector<std::string> head(words.begin(), words.end() - 1);
+  return fmt::format("{} and {}", fmt::join(head, ", "), words.back());
+}
+
 /// "ambient", "fill and rim": the blocks of some parameters as an artist names them.
 std::string sources(const std::vector<std::string>& patterns) {
   std::vector<std::string> names;
@@ -44,7 +51,7 @@ std::string sources(const std::vector<std::string>& patterns) {
     if (name.starts_with("lights/")) name = name.substr(7);
     if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(std::move(name));
   }
-  return fmt::format("{}", fmt::join(names, " and "));
+  return listed(names);
 }
 
 }  // namespace
@@ -157,7 +164,7 @@ void StrokeCase::blame(int partner, const std::string& param, bool light_helps) 
          fmt::format("{} wants {} otherwise", label_of(other), param));
   } else if (light_helps) {
     rule(StrokeOutcome::kConflicting, Cause::kNeedsLight,
-         fmt::format("the rest of the picture needs {} as it is; this wants a light of its own", param));
+         fmt::format("the rest of the picture needs {} as it is", param));
   } else {
     rule(StrokeOutcome::kConflicting, Cause::kRestDisagrees,
          fmt::format("the rest of the picture wants {} as it is", param));
@@ -172,7 +179,7 @@ Result<void> StrokeCase::explain() {
   LUM_TRY(const auto unlocking, best_unlocking());
   if (unlocking && behind.empty()) {
     rule(StrokeOutcome::kImpossible, Cause::kLockedParameter,
-         fmt::format("{} {} locked", fmt::join(unlocking->group.patterns, " and "),
+         fmt::format("{} {} locked", listed(unlocking->group.patterns),
                      unlocking->group.patterns.size() == 1 ? "is" : "are"));
     unlock(unlocking->group.patterns);
     return {};
@@ -181,8 +188,7 @@ Result<void> StrokeCase::explain() {
   const bool light_helps =
       addition && (evidence_->helps_all(region_, addition->trial) || evidence_->helps(region_, addition->alone.error));
   if (!behind.empty() && (unlocking || light_helps)) {
-    rule(StrokeOutcome::kImpossible, Cause::kFacesAway,
-         fmt::format("the surface faces away from {}", fmt::join(behind, " and ")));
+    rule(StrokeOutcome::kImpossible, Cause::kFacesAway, fmt::format("the surface faces away from {}", listed(behind)));
   } else if (light_helps) {
     rule(StrokeOutcome::kImpossible, Cause::kNeedsLight, "no light that may change can make it; another light can");
   } else {
@@ -287,7 +293,7 @@ std::vector<std::string> StrokeCase::lights_behind() const {
 
 void StrokeCase::unlock(std::vector<std::string> patterns) {
   verdict_.remedy.kind = Remedy::Kind::kUnlock;
-  verdict_.remedy.text = fmt::format("unlock {}", fmt::join(patterns, " and "));
+  verdict_.remedy.text = fmt::format("unlock {}", listed(patterns));
   verdict_.remedy.patterns = std::move(patterns);
 }
 void StrokeCase::add_light(const StartLight& light) {

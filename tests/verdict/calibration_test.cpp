@@ -1,4 +1,5 @@
 // 200 paintings of known cause in two scenes: what the verdict names.
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <map>
@@ -8,6 +9,7 @@
 #include "solve/solve_session.h"
 #include "verdict/judge.h"
 #include "verdict/known_case.h"
+#include "verdict/light_bank.h"
 
 namespace luminist {
 namespace {
@@ -16,6 +18,8 @@ constexpr std::array kCauses = {Cause::kNone,      Cause::kSearchEnded,     Caus
                                 Cause::kTooDark,   Cause::kLockedParameter, Cause::kStrokesDisagree,
                                 Cause::kNeedsLight};
 constexpr std::array kCount = {16, 12, 15, 15, 15, 12, 15};  // of each scene: 200 in two scenes
+
+constexpr int kRemedyOfCases = 4;  // a remedy is tried for each so many
 
 std::string name_of(Cause cause) {
   return cause == Cause::kNone ? "met" : to_string(cause);
@@ -26,6 +30,8 @@ struct Tally {
   int right = 0;
   int reachable = 0;
   int called_impossible = 0;
+  int remedies = 0;  ///< tried
+  int remedied = 0;  ///< the stroke is met then, or misses less than half
   double seconds = 0.0;
   std::map<std::string, std::map<std::string, int>> confusion;
 };
@@ -50,12 +56,39 @@ class CalibrationTest : public RendererTest {
     return scene.name + ", " + name_of(cause) + " " + std::to_string(i);
   }
 
-  void judge_case(const CaseScene& scene, const KnownCase& known, const std::string& name, Tally& tally) {
-    LUM_ASSERT_OK(SolveSession solve, SolveSession::create(*scene.renderer, known.start, known.target, {}));
-    for (int step = 0; step < known.steps; ++step) {
+  static void solve_on(SolveSession& solve, int steps) {
+    for (int step = 0; step < steps; ++step) {
       LUM_ASSERT_OK(const bool more, solve.step());
       if (!more || solve.report().epsilon < 0.05 * solve.report().epsilon_start) break;
     }
+  }
+
+  /// Does what is advised for a stroke and solves again.
+  static void try_remedy(const CaseScene& scene, const KnownCase& known, const StrokeVerdict& stroke, Tally& tally) {
+    ParamState start = known.start;
+    Target target = known.target;
+    for (const std::string& pattern : stroke.remedy.patterns) LUM_EXPECT_OK(set_locked(start, pattern, false));
+    if (stroke.remedy.light) start = with_light(start, scene.prototype, *stroke.remedy.light, "light");
+    if (stroke.remedy.state) start = *stroke.remedy.state;
+    if (stroke.remedy.kind == Remedy::Kind::kImportance) {
+      for (std::size_t i = 0; i < target.stroke.size(); ++i) {
+        if (target.stroke[i] == stroke.remedy.stroke) target.importance.data[i] = stroke.remedy.importance;
+      }
+    }
+    LUM_ASSERT_OK(SolveSession solve, SolveSession::create(*scene.renderer, start, target, {}));
+    solve_on(solve, kPatientSteps);
+    LUM_ASSERT_OK(const Image picture, scene.renderer->render(solve.best()));
+    for (const StrokeRegion& region : stroke_regions(scene.renderer->surface(), target)) {
+      if (region.stroke != stroke.stroke) continue;
+      const Shortfall after = shortfall(region, target, picture);
+      ++tally.remedies;
+      tally.remedied += after.met() || after.missed < 0.5 * stroke.missed ? 1 : 0;
+    }
+  }
+
+  void judge_case(const CaseScene& scene, const KnownCase& known, const std::string& name, Tally& tally) {
+    LUM_ASSERT_OK(SolveSession solve, SolveSession::create(*scene.renderer, known.start, known.target, {}));
+    solve_on(solve, known.steps);
     LUM_ASSERT_OK(const Image picture, scene.renderer->render(solve.best()));
     LUM_ASSERT_OK(const Verdict verdict,
                   judge(*scene.renderer, solve.best(), known.target, picture, {&scene.prototype}));
@@ -73,6 +106,9 @@ class CalibrationTest : public RendererTest {
     if (verdict.least_epsilon) {
       EXPECT_LE(*verdict.least_epsilon, verdict.epsilon * 1.0001 + 1e-6) << name;
     }
+    const auto unmet = std::find_if(verdict.strokes.begin(), verdict.strokes.end(),
+                                    [](const StrokeVerdict& stroke) { return stroke.outcome != StrokeOutcome::kMet; });
+    if (unmet != verdict.strokes.end() && tally.cases % kRemedyOfCases == 0) try_remedy(scene, known, *unmet, tally);
     ++tally.cases;
     tally.reachable += known.reachable ? 1 : 0;
     tally.right += named == known.cause ? 1 : 0;
@@ -104,11 +140,14 @@ TEST_F(CalibrationTest, NamesNineOfTenKnownCausesAndCallsNothingReachableImpossi
     for (const auto& [name, count] : named) std::printf("  %s %d", name.c_str(), count);
     std::printf("\n");
   }
-  std::printf("%d of %d named rightly; %d of %d reachable called impossible; %.0f ms a verdict\n", tally.right,
-              tally.cases, tally.called_impossible, tally.reachable, 1000.0 * tally.seconds / tally.cases);
+  std::printf(
+      "%d of %d named rightly; %d of %d reachable called impossible; %d of %d remedies help; %.0f ms a verdict\n",
+      tally.right, tally.cases, tally.called_impossible, tally.reachable, tally.remedied, tally.remedies,
+      1000.0 * tally.seconds / tally.cases);
   EXPECT_EQ(tally.cases, 200);
   EXPECT_GE(tally.right, 180);
   EXPECT_EQ(tally.called_impossible, 0);
+  EXPECT_GE(tally.remedied, 0.7 * tally.remedies);
 }
 
 }  // namespace

@@ -260,6 +260,7 @@ std::optional<KnownCase> make_case(const CaseScene& scene, Cause cause, Random& 
   bool made = false;
   switch (cause) {
     case Cause::kNone:
+      draft.made.steps = kPatientSteps;
       made = reachable(draft, random, false);
       break;
     case Cause::kSearchEnded:

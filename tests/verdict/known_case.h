@@ -10,6 +10,8 @@
 
 namespace luminist {
 
+inline constexpr int kPatientSteps = 400;  ///< of a solve that gets there
+
 /// A renderer and what cases are built from in its scene.
 struct CaseScene {
   std::string name;
@@ -28,7 +30,7 @@ struct KnownCase {
   Target target;
   Cause cause = Cause::kNone;  ///< of the first stroke that is not met; kNone: all are met
   bool reachable = false;      ///< each stroke by itself
-  int steps = 400;             ///< of the solve
+  int steps = 150;             ///< of the solve
 };
 
 /// Nothing where chance made a case that means nothing, such as paint of too few pixels.
