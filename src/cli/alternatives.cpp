@@ -43,12 +43,8 @@ Result<int> alternatives(const Words& words, VerbContext& context) {
   LUM_TRY(Device device, Device::create_headless());
   Console& console = context.console;
   Diagnostics diagnostics;
-  LUM_TRY(const auto session, Session::open(device, context.roots, shot, ".", diagnostics));
-  LUM_TRY_VOID(put_target(*session, words.paint, context.roots));
-  console.warn(diagnostics);
-  LUM_TRY_VOID(add_new_lights(*session, words.paint));
-  LUM_TRY_VOID(session->constrain(words.shot.constrain));
-  LUM_TRY_VOID(apply_locks(*session, words.locks));
+  LUM_TRY(const auto session,
+          open_task(device, shot, &words.paint, words.shot.constrain, words.locks, context, diagnostics));
   const StopSignals::Grace grace(context.signals);
   const Deadline deadline(context.signals, words.seconds);
   LUM_TRY(const Alternatives found, find_alternatives(*session, words.options, [&](const ExploreProgress& progress) {

@@ -37,10 +37,8 @@ Result<int> remove(const Words& words, VerbContext& context) {
   LUM_TRY(Device device, Device::create_headless());
   Console& console = context.console;
   Diagnostics diagnostics;
-  LUM_TRY(const auto session, Session::open(device, context.roots, shot, ".", diagnostics));
-  console.warn(diagnostics);
-  LUM_TRY_VOID(session->constrain(words.shot.constrain));
-  LUM_TRY_VOID(apply_locks(*session, words.locks));
+  LUM_TRY(const auto session,
+          open_task(device, shot, nullptr, words.shot.constrain, words.locks, context, diagnostics));
   LUM_TRY(const RemovalFacts facts, start_removal(*session, words.light, words.options));
   const StopSignals::Grace grace(context.signals);
   const Deadline deadline(context.signals, words.seconds);

@@ -75,14 +75,8 @@ Result<int> solve(const Words& words, VerbContext& context) {
   LUM_TRY(Device device, Device::create_headless());
   Console& console = context.console;
   Diagnostics diagnostics;
-  auto opened = Session::open(device, context.roots, shot, ".", diagnostics);
-  auto prepared = opened ? put_target(**opened, words.paint, context.roots) : Result<void>(opened.error());
-  console.warn(diagnostics);
-  LUM_TRY_VOID(std::move(prepared));
-  const std::unique_ptr<Session> session = std::move(*opened);
-  LUM_TRY_VOID(add_new_lights(*session, words.paint));
-  LUM_TRY_VOID(session->constrain(words.shot.constrain));
-  LUM_TRY_VOID(apply_locks(*session, words.locks));
+  LUM_TRY(const auto session,
+          open_task(device, shot, &words.paint, words.shot.constrain, words.locks, context, diagnostics));
   const StopSignals::Grace grace(context.signals);
   const Deadline deadline(context.signals, words.seconds);
   auto solved = session->solve(words.options, [&](const SolveReport& report) {

@@ -81,6 +81,20 @@ Result<void> apply_locks(Session& session, const LockWords& words) {
   return {};
 }
 
+Result<std::unique_ptr<Session>> open_task(Device& device, const Shot& shot, const PaintWords* paint,
+                                           const std::vector<std::string>& constrain, const LockWords& locks,
+                                           VerbContext& context, Diagnostics& diagnostics) {
+  auto session = Session::open(device, context.roots, shot, ".", diagnostics);
+  auto painted = session && paint != nullptr ? put_target(**session, *paint, context.roots) : Result<void>();
+  context.console.warn(diagnostics);
+  if (!session) return session;
+  LUM_TRY_VOID(std::move(painted));
+  if (paint != nullptr) LUM_TRY_VOID(add_new_lights(**session, *paint));
+  LUM_TRY_VOID((*session)->constrain(constrain));
+  LUM_TRY_VOID(apply_locks(**session, locks));
+  return session;
+}
+
 CLI::Option* declare_seconds(CLI::App& app, std::optional<double>& seconds, const std::string& doc) {
   CLI::Option* option = app.add_option("--seconds", seconds, doc)->check(CLI::PositiveNumber);
   require_finite(*option);

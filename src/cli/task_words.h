@@ -2,6 +2,7 @@
 // cli/task_words.h -- what is wanted and who may change for it: [--paint P | --target T [--importance I]]
 // [--add-light N] [--unlock PATTERN]... [--lock PATTERN]... [--seconds S]
 #include <chrono>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -43,6 +44,12 @@ void declare_lock_words(CLI::App& app, LockWords& words);
 /// Fills `ordered` once the words were parsed.
 void note_lock_order(const CLI::App& app, LockWords& words);
 Result<void> apply_locks(Session& session, const LockWords& words);
+
+/// A session on a shot with the paint, new lights, constraints and locks that were typed; paint may be null. Warnings
+/// are shown also where something goes wrong. device and diagnostics outlive the session. errors those of all these.
+Result<std::unique_ptr<Session>> open_task(Device& device, const Shot& shot, const PaintWords* paint,
+                                           const std::vector<std::string>& constrain, const LockWords& locks,
+                                           VerbContext& context, Diagnostics& diagnostics);
 
 CLI::Option* declare_seconds(CLI::App& app, std::optional<double>& seconds, const std::string& doc);
 /// The checks of CLI11 let "nan" and "inf" through.

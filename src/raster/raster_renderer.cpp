@@ -150,6 +150,7 @@ Result<void> RasterRenderer::Impl::shade(const ParamState& state, const RenderOp
 }
 
 std::vector<std::byte> RasterRenderer::Impl::key_of(const ParamState& state, const Layer& layer) const {
+  static_assert(sizeof(ShadowLight) == 10 * sizeof(float), "its bytes are its values, without gaps");
   std::vector<std::byte> key;
   const auto add = [&](std::span<const std::byte> bytes) { key.insert(key.end(), bytes.begin(), bytes.end()); };
   add(state.rig.ambient.bytes());
@@ -157,12 +158,10 @@ std::vector<std::byte> RasterRenderer::Impl::key_of(const ParamState& state, con
   const std::vector<ShadowLight> shadows = shadow_lights(state.rig, *types_);
   for (const int i : layer.lights) {
     const Light& light = state.rig.lights[static_cast<std::size_t>(i)];
-    const ShadowLight& shadow = shadows[static_cast<std::size_t>(i)];  // another light's, where they are shared
     add(std::as_bytes(std::span(&i, 1)));
     add(std::as_bytes(std::span(light.type)));
     add(light.params.bytes());
-    add(std::as_bytes(std::span(&shadow.position, 1)));
-    add(std::as_bytes(std::span(&shadow.softness, 1)));
+    add(std::as_bytes(std::span(&shadows[static_cast<std::size_t>(i)], 1)));  // another light's, where they are shared
   }
   return key;
 }

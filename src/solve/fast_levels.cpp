@@ -15,4 +15,23 @@ FastLevels fast_levels(const CellSampler& sampler, float blur, std::uint64_t see
   return levels;
 }
 
+std::vector<std::uint32_t> all_pixels(const FastLevels& levels) {
+  std::vector<std::uint32_t> pixels;
+  for (const Level& level : levels) {
+    pixels.insert(pixels.end(), level.cells.samples.pixels.begin(), level.cells.samples.pixels.end());
+  }
+  return pixels;
+}
+
+FastFields averages(const FastLevels& levels, std::span<const Vec3> colors) {
+  FastFields fields;
+  std::size_t first = 0;
+  for (std::size_t level = 0; level < levels.size(); ++level) {
+    const SampleCells& cells = levels[level].cells;
+    fields[level] = cells.average(colors.subspan(first, cells.samples.pixels.size()));
+    first += cells.samples.pixels.size();
+  }
+  return fields;
+}
+
 }  // namespace luminist

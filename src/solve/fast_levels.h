@@ -3,6 +3,7 @@
 #include <array>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 #include "solve/cell_problem.h"
 
@@ -16,6 +17,14 @@ using FastLevels = std::array<Level, kFastLevels>;
 
 /// blur: of the style's metric; a blurred metric sees means, so cells get more samples. cost O(pixels).
 FastLevels fast_levels(const CellSampler& sampler, float blur, std::uint64_t seed);
+
+/// A field on the cells of every level.
+using FastFields = std::array<CellField, kFastLevels>;
+
+/// The samples' pixels of all levels, one level after another.
+std::vector<std::uint32_t> all_pixels(const FastLevels& levels);
+/// Means over the cells of every level. colors [all_pixels()].
+FastFields averages(const FastLevels& levels, std::span<const Vec3> colors);
 
 /// A part of a descent: on which level, for how many iterations at most, and how many of its ends go on.
 struct FastStage {

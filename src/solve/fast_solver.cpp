@@ -100,9 +100,10 @@ Result<void> FastSolver::prepare(std::shared_ptr<const EdgeMask> edges) {
   const CellSampler sampler(renderer_->surface(), *target_, std::move(edges));
   levels_ = fast_levels(sampler, renderer_->style().metric.blur, progress_->options().seed);
   LUM_TRY(parts_, PictureParts::create(*renderer_, start, levels_[kScout].cells.samples));
-  for (const Level& level : levels_) {
-    LUM_TRY(const CellField still, shown(start, objective_.moving(), level.cells));
-    LUM_TRY(CellProblem problem, CellProblem::create(*renderer_, parts_, level, start, Norm::kUnsquared, still));
+  LUM_TRY(const auto still, shown(start, objective_.moving()));
+  for (std::size_t level = 0; level < levels_.size(); ++level) {
+    LUM_TRY(CellProblem problem,
+            CellProblem::create(*renderer_, parts_, levels_[level], start, Norm::kUnsquared, still[level]));
     problems_.push_back(std::move(problem));
   }
   Vec3 sum(0.0F);
@@ -115,20 +116,21 @@ Result<void> FastSolver::prepare(std::shared_ptr<const EdgeMask> edges) {
   return {};
 }
 
-Result<CellField> FastSolver::shown(const ParamState& state, std::span<const int> without, const SampleCells& cells) {
-  std::vector<Vec3> colors(cells.samples.pixels.size());
-  LUM_TRY_VOID(renderer_->colors_at(state, without, cells.samples.pixels, colors));
+Result<FastFields> FastSolver::shown(const ParamState& state, std::span<const int> without) {
+  const std::vector<std::uint32_t> pixels = all_pixels(levels_);  // the picture is read once
+  std::vector<Vec3> colors(pixels.size());
+  LUM_TRY_VOID(renderer_->colors_at(state, without, pixels, colors));
   for (Vec3& color : colors) {
     if (!is_finite(color)) color = Vec3(0.0F);
   }
-  return cells.average(colors);
+  return averages(levels_, colors);
 }
 
 Result<void> FastSolver::correct(const ParamState& state) {
+  LUM_TRY(const auto pictures, shown(state, {}));
   for (std::size_t level = 0; level < levels_.size(); ++level) {
-    LUM_TRY(const CellField picture, shown(state, {}, levels_[level].cells));
     LUM_TRY(const CellPoint point, problems_[level].measure_as_is(state));
-    problems_[level].correct(point, picture);
+    problems_[level].correct(point, pictures[level]);
   }
   return {};
 }

@@ -53,8 +53,8 @@ class FastSolver final : public Solver {
   Result<bool> look_again();
   /// Makes the samples of all levels exact at a state, of which the last picture was made.
   Result<void> correct(const ParamState& state);
-  /// The renderer's picture of a state on cells, without some lights.
-  Result<CellField> shown(const ParamState& state, std::span<const int> without, const SampleCells& cells);
+  /// The renderer's picture of a state, without some lights, on the cells of every level.
+  Result<FastFields> shown(const ParamState& state, std::span<const int> without);
   [[nodiscard]] bool good_enough() const;
 
   Renderer* renderer_;

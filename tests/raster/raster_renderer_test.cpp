@@ -111,6 +111,22 @@ TEST_F(RasterRendererTest, ColoursAtPixelsAreThePicturesAlsoWithoutALight) {
   }
 }
 
+TEST_F(RasterRendererTest, WhatStandsStillIsMadeAnewWhenTheShadowsItUsesTurn) {
+  use_style("cinematic");
+  state_->rig.shadow_light = "key";
+  const SampleSet samples = all_pixels();
+  std::vector<Vec3> colors(samples.pixels.size());
+  const std::array<int, 1> without{0};
+  LUM_EXPECT_OK(renderer_->colors_at(*state_, without, samples.pixels, colors));
+  const std::vector<Vec3> before = colors;
+  // The key turns away: its map sees nothing of the scene, and what no map sees is lit.
+  light(0).set_vec3(*light(0).schema().by_role("direction"), -light(0).vec3(*light(0).schema().by_role("direction")));
+  LUM_EXPECT_OK(renderer_->colors_at(*state_, without, samples.pixels, colors));
+  int differ = 0;
+  for (std::size_t i = 0; i < colors.size(); ++i) differ += glm::length(colors[i] - before[i]) > 1e-3F ? 1 : 0;
+  EXPECT_GT(differ, kWidth * kHeight / 100);
+}
+
 TEST_F(RasterRendererTest, ABatchOfCandidatesIsThePictureWithoutShadows) {
   for (const char* style : {"cinematic", "toon"}) {
     use_style(style);
