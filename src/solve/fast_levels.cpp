@@ -8,8 +8,8 @@ FastLevels fast_levels(const CellSampler& sampler, float blur, std::uint64_t see
   levels[kScout] = {sampler.cut(160, per_cell, seed), {0.08F, 0.10F, 0.3F, 1}, 0.015, 0.006, 12};
   levels[kSoft] = {sampler.cut(144, 4 * per_cell, seed + 1), {0.08F, 0.10F, 0.3F, 2}, 0.015, 0.006, 12};
   levels[kMiddle] = {sampler.cut(256, 4 * per_cell, seed + 2), {0.03F, 0.04F, 0.1F, 2}, 0.008, 0.005, 10};
+  levels[kNear] = {sampler.cut(320, per_cell, seed + 4), {0.0F, 0.0F, 0.0F, 4}, 0.004, 0.003, 12};
   const SampleCells many = sampler.cut(2304, per_cell, seed + 3);
-  levels[kFine] = {many, {0.02F, 0.03F, 0.05F, 4}, 0.006, 0.004, 12};
   levels[kSharp] = {many, {0.0F, 0.0F, 0.0F, 8}, 0.004, 0.003, 12};
   levels[kExact] = {many, {0.0F, 0.0F, 0.0F, 16}, 0.004, 0.003, 12};
   return levels;

@@ -9,9 +9,10 @@
 
 namespace luminist {
 
-/// kScout, kSoft and kMiddle have few cells, and shadows and light edges wider than they are; kFine, kSharp and kExact
-/// share the many cells. kSharp and kExact show the true edges; the more rays, the less noise in shadows.
-enum FastLevel : std::size_t { kScout, kSoft, kMiddle, kFine, kSharp, kExact, kFastLevels };
+/// kScout, kSoft and kMiddle have few cells, and shadows and light edges wider than they are: they lead from far away.
+/// Near the target they mislead, because wide shadows are not those of the target; the others have true edges. kNear
+/// has few cells; kSharp and kExact share many, with less noise in shadows the more rays they have.
+enum FastLevel : std::size_t { kScout, kSoft, kMiddle, kNear, kSharp, kExact, kFastLevels };
 
 using FastLevels = std::array<Level, kFastLevels>;
 
@@ -26,23 +27,25 @@ std::vector<std::uint32_t> all_pixels(const FastLevels& levels);
 /// Means over the cells of every level. colors [all_pixels()].
 FastFields averages(const FastLevels& levels, std::span<const Vec3> colors);
 
-/// A part of a descent: on which level, for how many iterations at most, and how many of its ends go on.
+/// A part of a descent: on which level, for how many batches of slopes at most, how many of its ends go on, and whether
+/// the light that was varied turns alone (and all colours).
 struct FastStage {
   FastLevel level = kScout;
   int iterations = 0;
   std::size_t keep = 1;
+  bool alone = false;
 };
 
 /// Many starts descend a little on few samples, the best of them on, and only one to the end.
-inline constexpr std::array<FastStage, 4> kSearch{{{kScout, 5, 4}, {kSoft, 12, 2}, {kMiddle, 10, 1}, {kSharp, 12, 1}}};
-inline constexpr std::span<const FastStage> kFromMiddle = std::span(kSearch).subspan(2);
-inline constexpr std::span<const FastStage> kFromSharp = std::span(kSearch).subspan(3);
+inline constexpr std::array<FastStage, 5> kFarSearch{
+    {{kScout, 3, 8, true}, {kSoft, 4, 2, true}, {kMiddle, 5, 1}, {kNear, 5, 1}, {kSharp, 6, 1}}};
+inline constexpr std::array<FastStage, 3> kNearSearch{{{kNear, 3, 4, true}, {kNear, 5, 1}, {kSharp, 6, 1}}};
+inline constexpr std::span<const FastStage> kFromSharp = std::span(kNearSearch).subspan(2);
 
 /// From where the solve begins.
-inline constexpr std::array<FastStage, 3> kFirst{{{kSoft, 12, 2}, {kMiddle, 10, 2}, {kSharp, 12, 1}}};
+inline constexpr std::array<FastStage, 4> kFirst{{{kSoft, 6, 2}, {kMiddle, 5, 2}, {kNear, 5, 1}, {kSharp, 6, 1}}};
 
-/// From a state whose picture is known. The samples are exact there, so shadows may be wide and still end where they
-/// should.
-inline constexpr std::array<FastStage, 3> kPolish{{{kSoft, 12, 1}, {kFine, 12, 1}, {kExact, 12, 1}}};
+/// From a state whose picture is known and at which the samples are exact.
+inline constexpr std::array<FastStage, 1> kPolish{{{kExact, 8, 1}}};
 
 }  // namespace luminist

@@ -6,25 +6,25 @@
 #include <span>
 #include <vector>
 
+#include "solve/exploration.h"
 #include "solve/fast_levels.h"
 #include "solve/gauss_newton.h"
-#include "solve/light_variants.h"
-#include "solve/nelder_mead.h"
 #include "solve/progress.h"
+#include "solve/sample_simplex.h"
 
 namespace luminist {
 
 /// The search, one bounded piece of work a step:
 ///
 /// 1. compare the start on the full picture; what the lights that do not move add to the samples is read from it;
-/// 2. descend (Gauss-Newton) from few cells with wide shadow and light edges to many with the real ones, once as the
-///    samples are and once with the samples made exact at the start; explore variants of the lights if both ends are
-///    far from the target; compare the outcome on the full picture;
+/// 2. descend (Gauss-Newton) from few cells with wide shadow and light edges to few with the real ones, once as the
+///    samples are and once with the samples made exact at the start; explore variants of one light after another as
+///    long as that is far from the target and gains; descend on many cells and compare the outcome on the full picture;
 /// 3. polish: make the samples exact at the outcome and descend again, as long as that gains;
-/// 4. unless that is good enough, rounds: a simplex on the samples, which sees what has no slope (a shadow that should
-///    be elsewhere), or random variants of one light after another, the best of which descend. What is better on the
-///    sharp level is compared on the full picture and polished.
+/// 4. unless that is good enough, rounds: variants around the best, variants around the start, a simplex over one light
+///    on the samples, which sees what has no slope. What is better on many cells is compared on the full picture.
 ///
+/// A variant descends with its own light and all colours first, on true edges where the samples are near the target.
 /// Ends when the goal is reached or rounds gain nothing. Deterministic by options().seed.
 /// source  making a coarse model exact at the best point so far: space mapping (Bandler et al. 2004).
 /// The renderer, target and progress must outlive it. thread: the renderer's.
@@ -37,7 +37,6 @@ class FastSolver final : public Solver {
 
  private:
   enum class Phase { kStart, kDescend, kCheck, kExplore, kSimplex, kDone };
-  struct SampleSimplex;  // a simplex over the parameters that are not solved in closed form
 
   FastSolver(Renderer& renderer, const Target& target, Progress& progress);
   Result<void> prepare(std::shared_ptr<const EdgeMask> edges);
@@ -47,7 +46,13 @@ class FastSolver final : public Solver {
   Result<void> explore();
   Result<void> run_simplex();
   void begin_round();
-  void begin_descents(std::vector<ParamState> starts, std::span<const FastStage> plan);
+  /// Where a descent begins, and the block that turns alone where a stage wants that.
+  struct Start {
+    ParamState state;
+    int block = -1;
+  };
+  void begin_descents(std::vector<Start> starts, std::span<const FastStage> plan);
+  void begin_exploration(const ParamState& base, FastLevel level);
   Result<void> end_stage();
   /// At the end of the first descents: tries the other way, or explores. returns false when enough was tried.
   Result<bool> look_again();
@@ -70,28 +75,30 @@ class FastSolver final : public Solver {
 
   Phase phase_ = Phase::kStart;
   std::span<const FastStage> plan_;  ///< what is left of it, the present stage first
-  std::vector<ParamState> starts_;   ///< of this stage, still to descend
-  std::vector<CellPoint> ends_;      ///< of this stage
+  std::vector<Start> queue_;         ///< of this stage, still to descend
+  int turned_ = -1;                  ///< the block of the present descent
+  std::vector<FastFind> ends_;       ///< of this stage
   std::optional<GaussNewton> descent_;
   std::optional<CellPoint> incumbent_;  ///< the best point on the sharpest level that was compared in full
   std::optional<CellPoint> outcome_;    ///< the best of the present descents
   ParamState start_;
-  ParamState base_;                       ///< what a round explores around
+  ParamState base_;                       ///< what is explored around
   std::optional<ParamState> first_look_;  ///< where the first descent came on the middle level
-  std::optional<CellPoint> scouted_;      ///< the best on the middle level, not yet taken to the sharpest
-  int scouts_ = 0;                        ///< rounds of exploration before the first picture
-  double middle_start_ = 0.0;             ///< the start's cost on the middle level
-  std::vector<CellPoint> pool_;           ///< variants on the softest level
-  std::size_t explored_ = 0;              ///< free blocks done in this round
+  std::optional<CellPoint> scouted_;      ///< the best on kNear, not yet taken to the sharpest
+  int scouts_ = 0;                        ///< explorations before the first picture
+  int idle_scouts_ = 0;                   ///< in a row without a gain
+  double near_start_ = 0.0;               ///< the start's cost on kNear
+  std::optional<Exploration> exploration_;
+  std::span<const FastStage> search_;  ///< how its finds descend
+  bool near_known_ = false;            ///< what is around the best on kNear was scanned for the present samples
+  bool far_known_ = false;             ///< and around the start on kScout
   std::unique_ptr<SampleSimplex> simplex_;
-  bool exploring_ = false;  ///< ends that are home again do not count
-  int polishes_ = 0;        ///< descents in a row from the point that the samples are exact at
+  std::size_t simplex_turn_ = 0;  ///< of free_blocks_
+  bool exploring_ = false;        ///< ends that are home again do not count
+  int polishes_ = 0;              ///< descents in a row from the point that the samples are exact at
   int round_ = 0;
   int idle_rounds_ = 0;  ///< in a row without a gain
   double epsilon_before_round_ = 0.0;
-
- public:
-  ~FastSolver() override;
 };
 
 }  // namespace luminist

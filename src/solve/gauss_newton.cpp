@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "solve/box_solve.h"
 
@@ -13,65 +14,109 @@ namespace {
 /// tiny residuals would otherwise hold all the others back, and descents took three times as many iterations.
 constexpr double kNormFloor = 0.3;
 
+constexpr double kLeastDamping = 1e-8;
+
 }  // namespace
 
-struct GaussNewton::Slopes {
-  Eigen::MatrixXd normal;    // J'WJ
-  Eigen::VectorXd gradient;  // J'Wr
+struct GaussNewton::Equations {
+  std::vector<std::size_t> turned;  // coordinates of the map
+  Eigen::MatrixXd normal;           // J'WJ
+  Eigen::VectorXd gradient;         // J'Wr
 };
 
 GaussNewton::GaussNewton(const CellProblem& problem, CellPoint start, const Vec3& focus,
                          const GaussNewtonOptions& options)
     : problem_(&problem), point_(std::move(start)), focus_(focus), options_(options), damping_(options.damping) {}
 
-Result<std::vector<CellField>> GaussNewton::columns(const AimMap& map) const {
-  const std::vector<double>& x0 = map.origin();
+bool GaussNewton::turns(const Dof& dof) const {
+  return options_.block < 0 || dof.block == options_.block || problem_->parts().scaled_by(dof) >= 0;
+}
+
+Result<void> GaussNewton::measure_slopes(const AimMap& map) {
   const std::vector<Dof>& list = map.units().list();
   std::vector<ParamState> states;
-  std::vector<double> steps;
   states.reserve(list.size());
+  std::vector<double> steps(list.size(), 0.0);
+  std::vector<CellProblem::Request> requests;
+  slopes_.clear();
+  touched_.clear();
   for (std::size_t k = 0; k < list.size(); ++k) {
+    if (!turns(list[k]) || problem_->parts().scaled_by(list[k]) >= 0) continue;
     const ParamBlock& block = *point_.state.blocks()[static_cast<std::size_t>(list[k].block)];
     const bool moves = block.schema()[list[k].param].role == "position";
-    double step = moves ? problem_->level().position_step : problem_->level().step;
-    if (x0[k] + step > 1.0) step = -step;
-    std::vector<double> x = x0;
-    x[k] += step;
-    steps.push_back(step);
+    steps[k] = moves ? problem_->level().position_step : problem_->level().step;
+    if (map.origin()[k] + steps[k] > 1.0) steps[k] = -steps[k];
+    std::vector<double> x = map.origin();
+    x[k] += steps[k];
     states.push_back(map.at(x));
-  }
-  std::vector<CellProblem::Request> requests;
-  for (std::size_t k = 0; k < list.size(); ++k) {
-    if (problem_->parts().scaled_by(list[k]) >= 0) continue;
-    for (const int part : problem_->parts().touched_by(point_.state, list[k])) requests.push_back({&states[k], part});
-  }
-  LUM_TRY(const std::vector<CellField> fields, problem_->evaluate(requests));
-
-  std::vector<CellField> columns;
-  std::size_t next = 0;
-  for (std::size_t k = 0; k < list.size(); ++k) {
-    CellField column(static_cast<std::size_t>(problem_->level().cells.size()), Vec3(0.0F));
-    const auto inverse = static_cast<float>(1.0 / steps[k]);
-    if (const int part = problem_->parts().scaled_by(list[k]); part >= 0) {
-      const Part& scaled = problem_->parts().list()[static_cast<std::size_t>(part)];
-      const Vec3 slope = (part_color(states[k], scaled) - part_color(point_.state, scaled)) * inverse;
-      const CellField white = problem_->white(point_, part);
-      for (std::size_t c = 0; c < column.size(); ++c) column[c] = slope * white[c];
-    } else {
-      for (const int touched : problem_->parts().touched_by(point_.state, list[k])) {
-        const auto index = static_cast<std::size_t>(touched);
-        const Vec3 color = part_color(point_.state, problem_->parts().list()[index]) * inverse;
-        const CellField& moved = fields[next++];
-        for (std::size_t c = 0; c < column.size(); ++c) column[c] += color * (moved[c] - point_.fields[index][c]);
-      }
+    for (const int part : problem_->parts().touched_by(point_.state, list[k])) {
+      requests.push_back({&states.back(), part});
+      slopes_.push_back({k, part, {}});
+      if (std::ranges::find(touched_, part) == touched_.end()) touched_.push_back(part);
     }
-    columns.push_back(std::move(column));
+  }
+  LUM_TRY(std::vector<CellField> fields, problem_->evaluate(requests));
+  for (std::size_t i = 0; i < slopes_.size(); ++i) {
+    const CellField& here = point_.fields[static_cast<std::size_t>(slopes_[i].part)];
+    const auto inverse = static_cast<float>(1.0 / steps[slopes_[i].coordinate]);
+    for (std::size_t c = 0; c < here.size(); ++c) fields[i][c] = (fields[i][c] - here[c]) * inverse;
+    slopes_[i].field = std::move(fields[i]);
+  }
+  return {};
+}
+
+void GaussNewton::correct_slopes(const CellPoint& before, std::span<const double> step) {
+  for (const int part : touched_) {
+    double square = 0.0;
+    for (const Slope& slope : slopes_)
+      square += slope.part == part ? step[slope.coordinate] * step[slope.coordinate] : 0.0;
+    if (!(square > 1e-12)) continue;
+    const auto index = static_cast<std::size_t>(part);
+    CellField missed = point_.fields[index];
+    for (std::size_t c = 0; c < missed.size(); ++c) missed[c] -= before.fields[index][c];
+    for (const Slope& slope : slopes_) {
+      if (slope.part != part) continue;
+      const auto by = static_cast<float>(step[slope.coordinate]);
+      for (std::size_t c = 0; c < missed.size(); ++c) missed[c] -= by * slope.field[c];
+    }
+    for (Slope& slope : slopes_) {
+      if (slope.part != part) continue;
+      const auto share = static_cast<float>(step[slope.coordinate] / square);
+      for (std::size_t c = 0; c < missed.size(); ++c) slope.field[c] += share * missed[c];
+    }
+  }
+}
+
+std::vector<CellField> GaussNewton::columns(const AimMap& map, std::span<const std::size_t> turned) const {
+  const CellField nothing(static_cast<std::size_t>(problem_->level().cells.size()), Vec3(0.0F));
+  std::vector<CellField> columns(turned.size(), nothing);
+  for (std::size_t i = 0; i < turned.size(); ++i) {
+    const int part = problem_->parts().scaled_by(map.units().list()[turned[i]]);
+    if (part < 0) continue;
+    std::vector<double> x = map.origin();
+    const double step = x[turned[i]] < 0.5 ? problem_->level().step : -problem_->level().step;
+    x[turned[i]] += step;
+    const Part& scaled = problem_->parts().list()[static_cast<std::size_t>(part)];
+    const Vec3 slope =
+        (part_color(map.at(x), scaled) - part_color(point_.state, scaled)) * static_cast<float>(1.0 / step);
+    const CellField white = problem_->white(point_, part);
+    for (std::size_t c = 0; c < white.size(); ++c) columns[i][c] = slope * white[c];
+  }
+  for (const Slope& slope : slopes_) {
+    const auto i = static_cast<std::size_t>(std::ranges::lower_bound(turned, slope.coordinate) - turned.begin());
+    const Vec3 color = part_color(point_.state, problem_->parts().list()[static_cast<std::size_t>(slope.part)]);
+    for (std::size_t c = 0; c < slope.field.size(); ++c) columns[i][c] += color * slope.field[c];
   }
   return columns;
 }
 
-Result<GaussNewton::Slopes> GaussNewton::slopes(const AimMap& map) const {
-  LUM_TRY(const std::vector<CellField> fields, columns(map));
+GaussNewton::Equations GaussNewton::equations(const AimMap& map) const {
+  Equations equations;
+  const std::vector<Dof>& list = map.units().list();
+  for (std::size_t k = 0; k < list.size(); ++k) {
+    if (turns(list[k])) equations.turned.push_back(k);
+  }
+  const std::vector<CellField> fields = columns(map, equations.turned);
   const SampleCells& cells = problem_->level().cells;
   const CellField picture = problem_->picture(point_);
   const double mean = cell_cost(cells, picture, Norm::kUnsquared);
@@ -92,62 +137,94 @@ Result<GaussNewton::Slopes> GaussNewton::slopes(const AimMap& map) const {
     }
   }
   const auto n = static_cast<Eigen::Index>(fields.size());
-  Slopes slopes{Eigen::MatrixXd::Zero(n, n), jacobian.transpose() * residual};
-  slopes.normal.selfadjointView<Eigen::Lower>().rankUpdate(jacobian.transpose());
-  slopes.normal.triangularView<Eigen::StrictlyUpper>() = slopes.normal.transpose();
-  return slopes;
+  equations.normal = Eigen::MatrixXd::Zero(n, n);
+  equations.normal.selfadjointView<Eigen::Lower>().rankUpdate(jacobian.transpose());
+  equations.normal.triangularView<Eigen::StrictlyUpper>() = equations.normal.transpose();
+  equations.gradient = jacobian.transpose() * residual;
+  return equations;
 }
 
-std::vector<double> GaussNewton::step(const AimMap& map, const Slopes& slopes) const {
+std::vector<double> GaussNewton::step(const AimMap& map, const Equations& equations, double damping) const {
   const std::vector<double>& x0 = map.origin();
-  const std::size_t n = x0.size();
-  const double floor = 1e-6 * slopes.normal.diagonal().maxCoeff() + 1e-30;
+  const std::size_t n = equations.turned.size();
+  const double floor = 1e-6 * equations.normal.diagonal().maxCoeff() + 1e-30;
   std::vector<double> a(n * n);
   std::vector<double> b(n);
   std::vector<double> low(n);
   std::vector<double> high(n);
   for (std::size_t i = 0; i < n; ++i) {
     const auto row = static_cast<Eigen::Index>(i);
-    for (std::size_t j = 0; j < n; ++j) a[i * n + j] = slopes.normal(row, static_cast<Eigen::Index>(j));
-    a[i * n + i] += damping_ * std::max(a[i * n + i], floor) + 1e-12 * floor;
-    b[i] = -slopes.gradient(row);
+    const std::size_t k = equations.turned[i];
+    for (std::size_t j = 0; j < n; ++j) a[i * n + j] = equations.normal(row, static_cast<Eigen::Index>(j));
+    a[i * n + i] += damping * std::max(a[i * n + i], floor) + 1e-12 * floor;
+    b[i] = -equations.gradient(row);
     // Colours may go any way: the trial solves them anyway.
-    const bool color = problem_->parts().scaled_by(map.units().list()[i]) >= 0;
-    low[i] = color ? -x0[i] : std::max(-x0[i], -options_.largest_step);
-    high[i] = color ? 1.0 - x0[i] : std::min(1.0 - x0[i], options_.largest_step);
+    const bool color = problem_->parts().scaled_by(map.units().list()[k]) >= 0;
+    low[i] = color ? -x0[k] : std::max(-x0[k], -options_.largest_step);
+    high[i] = color ? 1.0 - x0[k] : std::min(1.0 - x0[k], options_.largest_step);
   }
-  std::vector<double> x(n, 0.0);
-  solve_box(a, b, low, high, x);
-  for (std::size_t k = 0; k < n; ++k) x[k] = std::clamp(x0[k] + x[k], 0.0, 1.0);
-  return x;
+  std::vector<double> moved(n, 0.0);
+  solve_box(a, b, low, high, moved);
+  std::vector<double> step(x0.size(), 0.0);
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::size_t k = equations.turned[i];
+    step[k] = std::clamp(x0[k] + moved[i], 0.0, 1.0) - x0[k];
+  }
+  return step;
 }
 
-Result<bool> GaussNewton::improve(const AimMap& map, const Slopes& slopes) {
-  for (int attempt = 0; attempt < options_.tries; ++attempt) {
-    const std::vector<double> x = step(map, slopes);
-    if (!x.empty()) {
-      LUM_TRY(CellPoint trial, problem_->measure(map.at(x)));
-      if (trial.cost < point_.cost) {
-        const double gain = (point_.cost - trial.cost) / point_.cost;
-        point_ = std::move(trial);
-        damping_ = std::max(damping_ / 5.0, 1e-7);
-        small_gains_ = gain < options_.enough_gain ? small_gains_ + 1 : 0;
-        return small_gains_ < 2;
-      }
+Result<double> GaussNewton::improve(const AimMap& map, int tries) {
+  constexpr double kEase = 8.0;
+  const Equations here = equations(map);
+  const bool partly = options_.block >= 0;
+  std::optional<CellPoint> best;
+  std::vector<double> best_step;
+  double best_damping = damping_;
+  double damping = damping_;
+  for (int attempt = 0; attempt < tries; ++attempt) {
+    std::vector<double> moved = step(map, here, damping);
+    std::vector<double> x = map.origin();
+    for (std::size_t k = 0; k < x.size(); ++k) x[k] += moved[k];
+    LUM_TRY(std::vector<CellPoint> trial, problem_->measure({map.at(x)}, partly ? &point_ : nullptr, touched_));
+    if (trial.front().cost < (best ? best->cost : point_.cost)) {
+      best = std::move(trial.front());
+      best_step = std::move(moved);
+      best_damping = damping;
+      if (damping > damping_ || !options_.eager) break;
+      damping = damping / kEase;
+    } else if (best) {
+      break;
+    } else {
+      damping *= attempt < 2 ? 6.0 : 10.0;
     }
-    damping_ = std::min(damping_ * (attempt < 2 ? 6.0 : 10.0), 1e7);
   }
-  return false;
+  damping_ = std::clamp(best ? best_damping / 3.0 : damping, kLeastDamping, 1e7);
+  if (!best) return 0.0;
+  const double gain = (point_.cost - best->cost) / point_.cost;
+  std::swap(point_, *best);
+  if (options_.secants > 0) correct_slopes(*best, best_step);
+  return gain;
 }
 
 Result<bool> GaussNewton::iterate() {
-  ++iterations_;
+  constexpr int kSecantTries = 3;
+  constexpr double kSecantGain = 0.03;  // less: slopes are measured again
   if (!(point_.cost > 0.0)) return false;
   const AimMap map(point_.state, problem_->frame(), focus_);
   if (map.dofs() == 0) return false;
-  LUM_TRY(const Slopes at, slopes(map));
-  LUM_TRY(const bool more, improve(map, at));
-  return more && iterations_ < problem_->level().iterations;
+  const bool follows = iterations_ > 0 && secants_ < options_.secants;
+  if (follows) {
+    LUM_TRY(const double gain, improve(map, kSecantTries));
+    secants_ = gain < kSecantGain ? options_.secants : secants_ + 1;
+    return true;
+  }
+  ++iterations_;
+  secants_ = 0;
+  LUM_TRY_VOID(measure_slopes(map));
+  LUM_TRY(const double gain, improve(map, options_.tries));
+  small_gains_ = gain < options_.enough_gain ? small_gains_ + 1 : 0;
+  if (gain < kSecantGain) secants_ = options_.secants;
+  return gain > 0.0 && small_gains_ < 2 && iterations_ < problem_->level().iterations;
 }
 
 }  // namespace luminist

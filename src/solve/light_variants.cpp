@@ -101,6 +101,20 @@ ParamState group_reset(const ParamState& alone, const ParamState& start, int blo
   return result;
 }
 
+/// The unlocked parameters of a block as a new light has them.
+ParamState with_defaults(const ParamState& state, int block, const SceneFrame& frame) {
+  ParamState result = state;
+  ParamBlock& params = *result.blocks()[static_cast<std::size_t>(block)];
+  for (int param = 0; param < params.schema().size(); ++param) {
+    const ParamSpec& spec = params.schema()[param];
+    if (!is_free(params, param)) continue;
+    for (int c = 0; c < spec.components(); ++c) {
+      params.set(param, c, spec.stored(c, spec.default_value[static_cast<std::size_t>(c)], frame));
+    }
+  }
+  return result;
+}
+
 void scan_values(const ParamState& state, const ParamState& around, int block, const SceneFrame& frame,
                  std::vector<std::vector<ParamState>>& scans) {
   constexpr std::array<double, 9> kValues{0.02, 0.06, 0.1, 0.16, 0.24, 0.35, 0.5, 0.7, 0.9};
@@ -134,7 +148,8 @@ bool swap_sides(ParamBlock& params) {
 void scan_edges(const ParamState& state, const ParamState& alone, int block,
                 std::vector<std::vector<ParamState>>& scans) {
   constexpr int kWays = 8;  // the roll of a light is its own affair: all ways round are tried
-  constexpr std::array<double, 4> kShares{-0.5, 0.2, 0.4, 0.6};  // of the half size that is cut off
+  constexpr std::array<double, 8> kShares{-0.5, -0.25, 0.15, 0.3,
+                                          0.45, 0.6,   0.75, 0.87};  // of the half size that is cut off
   const ParamBlock& params = *alone.blocks()[static_cast<std::size_t>(block)];
   const std::optional<int> direction = params.schema().by_role("direction");
   const std::optional<int> shape = params.schema().by_role("shape");
@@ -169,8 +184,11 @@ void scan_edges(const ParamState& state, const ParamState& alone, int block,
       for (const double share : kShares) {
         ParamState variant = state;
         ParamBlock& changed = *variant.blocks()[static_cast<std::size_t>(block)];
-        changed.set(*shape, side, half * (1.0 - share));
-        changed.set_vec3(*direction, glm::normalize(axis + static_cast<float>(half * share) * across));
+        // The other edge stays: half sizes are tangents, so angles add up and tangents do not.
+        const double left = half * (1.0 - share);
+        const double turn = std::tan(std::atan(half) - std::atan(left));
+        changed.set(*shape, side, left);
+        changed.set_vec3(*direction, glm::normalize(axis + static_cast<float>(turn) * across));
         scans.back().push_back(std::move(variant));
       }
     }
@@ -229,14 +247,47 @@ std::vector<std::vector<ParamState>> light_scans(const ParamState& state, const 
   for (const ParamSpec& spec : params.schema().specs()) {
     if (std::find(groups.begin(), groups.end(), spec.group) == groups.end()) groups.push_back(spec.group);
   }
+  const ParamState fresh = with_defaults(alone, block, frame);
   for (const std::string& group : groups) {
-    const ParamState reset = group_reset(alone, start, block, group);
-    if (!params.same_values(*reset.blocks()[static_cast<std::size_t>(block)])) {
-      scan_values(state, reset, block, frame, scans);
+    for (const ParamState* before : {&start, &fresh}) {
+      const ParamState reset = group_reset(alone, *before, block, group);
+      const ParamBlock& changed = *reset.blocks()[static_cast<std::size_t>(block)];
+      if (params.same_values(changed)) continue;
+      if (before == &start) scan_values(state, reset, block, frame, scans);
+      ParamState variant = state;
+      copy_values(reset, block, variant);
+      scan_edges(variant, only_block_free(variant, block), block, scans);
+      scans.push_back({std::move(variant)});
     }
   }
   scan_edges(state, alone, block, scans);
   return scans;
+}
+
+ParamState with_block_of(const ParamState& state, const ParamState& from, int block) {
+  ParamState result = state;
+  copy_values(from, block, result);
+  return result;
+}
+
+std::vector<ParamState> light_exchange(const ParamState& state, int block, int other) {
+  ParamState result = state;
+  const std::vector<const ParamBlock*> before = state.blocks();
+  const std::vector<ParamBlock*> after = result.blocks();
+  const ParamBlock& a = *before[static_cast<std::size_t>(block)];
+  const ParamBlock& b = *before[static_cast<std::size_t>(other)];
+  if (&a.schema() != &b.schema()) return {};
+  bool exchanged = false;
+  for (int param = 0; param < a.schema().size(); ++param) {
+    if (!is_free(a, param) || !is_free(b, param)) continue;
+    for (int c = 0; c < a.schema()[param].components(); ++c) {
+      after[static_cast<std::size_t>(block)]->set(param, c, b.get(param, c));
+      after[static_cast<std::size_t>(other)]->set(param, c, a.get(param, c));
+    }
+    exchanged = true;
+  }
+  if (!exchanged) return {};
+  return {std::move(result)};
 }
 
 }  // namespace luminist

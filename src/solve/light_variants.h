@@ -35,4 +35,11 @@ std::vector<ParamState> light_variants(const ParamState& state, int block, const
 std::vector<std::vector<ParamState>> light_scans(const ParamState& state, const ParamState& start, int block,
                                                  const SceneFrame& frame);
 
+/// The state with one block's values as they are in another state of the same rig.
+ParamState with_block_of(const ParamState& state, const ParamState& from, int block);
+
+/// The state with two lights in each other's place: what is unlocked in both has changed hands. Empty if they are not
+/// of one type or share nothing unlocked.
+std::vector<ParamState> light_exchange(const ParamState& state, int block, int other);
+
 }  // namespace luminist
