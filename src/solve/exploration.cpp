@@ -1,6 +1,7 @@
 #include "solve/exploration.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <map>
 #include <utility>
@@ -10,7 +11,9 @@
 namespace luminist {
 namespace {
 
-constexpr int kVariants = 75;  // of a light as it is, and as many of it as it was
+// Of a light as it is, and as many of it as it was: the fewer the lights, the more can be had.
+constexpr int kVariants = 75;
+constexpr int kVariantsOfOne = 150;
 
 bool cheaper(const FastFind& a, const FastFind& b) {
   return a.point.cost < b.point.cost;
@@ -25,7 +28,7 @@ std::vector<std::vector<ParamState>> one_by_one(std::vector<ParamState> states) 
 }  // namespace
 
 std::vector<FastFind> cheapest_distinct(const CellProblem& problem, std::vector<FastFind> finds, std::size_t count,
-                                        const CellPoint* taken) {
+                                        const CellPoint* taken, double start_cost) {
   constexpr double kDistinct = 0.1;
   std::stable_sort(finds.begin(), finds.end(), cheaper);
   std::map<int, std::size_t> chosen_of;  // by block
@@ -43,7 +46,7 @@ std::vector<FastFind> cheapest_distinct(const CellProblem& problem, std::vector<
       for (std::size_t c = 0; c < other.size(); ++c) {
         difference += problem.level().cells.weight[c] * glm::distance(picture[c], other[c]);
       }
-      return difference < kDistinct * find.point.cost;
+      return difference < kDistinct * std::min(find.point.cost, std::abs(start_cost - find.point.cost));
     });
     if (known) continue;
     ++chosen_of[find.block];
@@ -91,6 +94,8 @@ Result<bool> Exploration::step(Random& random) {
   if (home_.empty()) {
     LUM_TRY(CellPoint home, problem_->measure(base_));
     home_.push_back(std::move(home));
+    LUM_TRY(const CellPoint start, problem_->measure(start_));
+    start_cost_ = start.cost;
   }
   const CellPoint& home = home_.front();
   const SampleCells& cells = problem_->level().cells;
@@ -100,10 +105,11 @@ Result<bool> Exploration::step(Random& random) {
     places.say.push_back(cells.weight[c] * glm::length(picture[c] - cells.target[c]));
   }
   const int block = blocks_[next_++];
+  const int variants = blocks_.size() == 1 ? kVariantsOfOne : kVariants;
   const ParamState as_it_was = with_block_of(home.state, start_, block);
   for (const ParamState* centre : {&home.state, &as_it_was}) {
     LUM_TRY_VOID(
-        measure(one_by_one(light_variants(*centre, block, places, problem_->frame(), kVariants, random)), block, -1));
+        measure(one_by_one(light_variants(*centre, block, places, problem_->frame(), variants, random)), block, -1));
   }
   if (!known_) {
     LUM_TRY_VOID(measure(one_by_one({as_it_was}), block, -1));
@@ -122,7 +128,8 @@ Result<void> Exploration::exchange(int block) {
 }
 
 std::vector<FastFind> Exploration::take(std::size_t count) {
-  return cheapest_distinct(*problem_, std::exchange(finds_, {}), count, home_.empty() ? nullptr : &home_.front());
+  if (home_.empty()) return {};
+  return cheapest_distinct(*problem_, std::exchange(finds_, {}), count, &home_.front(), start_cost_);
 }
 
 }  // namespace luminist

@@ -18,7 +18,7 @@ struct FastFind {
 /// cost: what only turns something that does not show is no other start. No block gets more than its share of the
 /// places.
 std::vector<FastFind> cheapest_distinct(const CellProblem& problem, std::vector<FastFind> finds, std::size_t count,
-                                        const CellPoint* taken);
+                                        const CellPoint* taken, double start_cost);
 
 /// Variants of one light after another, everything else staying as it is in the base: random ones of the light as it is
 /// and as it was at the start, scans of what has no slope, and lights that exchange their places.
@@ -47,6 +47,7 @@ class Exploration {
   bool known_;
   std::size_t next_ = 0;         ///< of blocks_
   std::vector<CellPoint> home_;  ///< the base, once measured
+  double start_cost_ = 0.0;
   std::vector<FastFind> finds_;
 };
 

@@ -11,7 +11,7 @@ FastLevels fast_levels(const CellSampler& sampler, float blur, std::uint64_t see
   levels[kNear] = {sampler.cut(320, per_cell, seed + 4), {0.0F, 0.0F, 0.0F, 4}, 0.004, 0.003, 12};
   const SampleCells many = sampler.cut(2304, per_cell, seed + 3);
   levels[kSharp] = {many, {0.0F, 0.0F, 0.0F, 8}, 0.004, 0.003, 12};
-  levels[kExact] = {many, {0.0F, 0.0F, 0.0F, 16}, 0.004, 0.003, 12};
+  levels[kExact] = {sampler.cut(8192, per_cell, seed + 5), {0.0F, 0.0F, 0.0F, 4}, 0.004, 0.003, 12};
   return levels;
 }
 

@@ -7,7 +7,7 @@ namespace luminist {
 namespace {
 
 constexpr double kGoodEnough = 0.01;  // of the start's epsilon: nobody sees the rest
-constexpr double kRoundGain = 0.02;   // a round that gains less was idle
+constexpr double kRoundGain = 0.02;   // of what was gained so far: a round that gains less was idle
 constexpr int kRounds = 12;           // twice as many for a stated goal
 constexpr int kIdleRounds = 3;        // a whole cycle: around the best, around the start, the simplex
 constexpr int kScouts = 5;            // explorations before the first picture...
@@ -19,6 +19,7 @@ constexpr double kHopeless = 1.2;  // times the cost at home: not worth the shar
 constexpr std::size_t kPool = 24;  // variants that descend
 constexpr int kSimplexSlice = 25;  // points in one step
 constexpr double kSimplexSize = 0.1;
+constexpr int kFew = 9;  // degrees of freedom besides colours
 
 bool cheaper(const FastFind& a, const FastFind& b) {
   return a.point.cost < b.point.cost;
@@ -56,10 +57,13 @@ Result<void> FastSolver::prepare(std::shared_ptr<const EdgeMask> edges) {
   Vec3 sum(0.0F);
   for (const Vec3& position : levels_[kSoft].cells.position) sum += position;
   focus_ = sum / static_cast<float>(std::max(1, levels_[kSoft].cells.size()));
+  int turning = 0;
   for (const Dof& dof : objective_.map().list()) {
     if (parts_.scaled_by(dof) >= 0) continue;
     if (free_blocks_.empty() || free_blocks_.back() != dof.block) free_blocks_.push_back(dof.block);
+    ++turning;
   }
+  few_ = turning <= kFew;
   return {};
 }
 
@@ -158,6 +162,7 @@ Result<void> FastSolver::end_stage() {
   std::stable_sort(ends_.begin(), ends_.end(), cheaper);
   if (plan_.size() == 1) {
     outcome_ = std::move(ends_.front().point);
+    outcome_level_ = plan_.front().level;
     phase_ = Phase::kCheck;
     return {};
   }
@@ -174,8 +179,10 @@ Result<void> FastSolver::end_stage() {
     if (plan_[1].level == kSharp)
       std::erase_if(ends_, [&](const FastFind& end) { return end.point.cost > kHopeless * home->cost; });
   }
+  LUM_TRY(const CellPoint start, problem.measure(start_));
   std::vector<Start> next;
-  for (FastFind& end : cheapest_distinct(problem, std::move(ends_), plan_.front().keep, home ? &*home : nullptr)) {
+  for (FastFind& end :
+       cheapest_distinct(problem, std::move(ends_), plan_.front().keep, home ? &*home : nullptr, start.cost)) {
     next.push_back({std::move(end.point.state), end.block});
   }
   if (next.empty()) {
@@ -229,11 +236,15 @@ void FastSolver::begin_exploration(const ParamState& base, FastLevel level) {
 }
 
 Result<void> FastSolver::check() {
-  constexpr double kWorthAPicture = 0.995;
+  constexpr double kWorthAPicture =
+      0.005;                            // of what was gained so far; a painting leaves more than that of any picture
   constexpr int kPolishes = 8;          // in a row
   constexpr double kPolishReach = 2.0;  // of a stated goal: farther away a polish is no help
-  constexpr double kPolishGain = 0.95;  // of the best so far: one that leaves more was the last
-  const bool better = outcome_ && (outcome_->cost < kWorthAPicture * incumbent_->cost || round_ == 0 || polishes_ > 0);
+  constexpr double kPolishGain = 0.03;  // of what was gained so far: one that gains less was the last
+  const double gained = progress_->report().epsilon_start - progress_->report().epsilon;
+  const bool first = round_ == 0 || polishes_ > 0;
+  LUM_TRY(const CellPoint here, problems_[outcome_level_].measure(incumbent_->state));
+  const bool better = outcome_ && (first || here.cost - outcome_->cost > kWorthAPicture * gained);
   bool polish = false;
   if (better) {
     objective_.recentre(outcome_->state);
@@ -244,7 +255,7 @@ Result<void> FastSolver::check() {
       LUM_TRY_VOID(correct(outcome_->state));
       LUM_TRY(incumbent_, problems_[kSharp].measure(outcome_->state));
       const double until = progress_->options().until;
-      polish = polishes_ < kPolishes && epsilon < kPolishGain * best_before &&
+      polish = polishes_ < kPolishes && best_before - epsilon > kPolishGain * gained &&
                (until <= 0.0 || epsilon < kPolishReach * until);
       near_known_ = far_known_ = false;
     }
@@ -263,7 +274,8 @@ Result<void> FastSolver::check() {
 void FastSolver::begin_round() {
   const double epsilon = progress_->report().epsilon;
   if (round_ > 0) {
-    idle_rounds_ = epsilon < (1.0 - kRoundGain) * epsilon_before_round_ ? 0 : idle_rounds_ + 1;
+    const double gained = progress_->report().epsilon_start - epsilon;
+    idle_rounds_ = epsilon_before_round_ - epsilon > kRoundGain * gained ? 0 : idle_rounds_ + 1;
   }
   const bool wanted = progress_->options().until > 0.0;  // a stated goal is worth every round
   const int most = wanted ? 2 * kRounds : kRounds;
@@ -275,7 +287,7 @@ void FastSolver::begin_round() {
   epsilon_before_round_ = epsilon;
   exploring_ = false;
   ++round_;
-  switch (round_ % 3) {
+  switch ((round_ + (few_ ? 2 : 0)) % 3) {  // where little turns, the simplex is worth many cells and the first turn
     case 1:
       exploring_ = true;
       begin_exploration(incumbent_->state, kNear);
@@ -311,14 +323,15 @@ Result<void> FastSolver::explore() {
 
 Result<void> FastSolver::run_simplex() {
   if (!simplex_) {
-    const CellProblem& problem = problems_[kNear];
+    const CellProblem& problem = problems_[few_ ? kExact : kNear];
     LUM_TRY(const CellPoint here, problem.measure(incumbent_->state));
     const int block = free_blocks_[simplex_turn_++ % free_blocks_.size()];
     simplex_ = SampleSimplex::create(problem, here, block, focus_, kSimplexSize);
   }
   LUM_TRY(const bool more, simplex_->walk(kSimplexSlice));
   if (more) return {};
-  begin_descents({{simplex_->best().state}}, std::span(kNearSearch).subspan(1));
+  begin_descents({{simplex_->best().state}},
+                 few_ ? std::span<const FastStage>(kPolish) : std::span(kNearSearch).subspan(1));
   simplex_.reset();
   return {};
 }

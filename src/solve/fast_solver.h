@@ -72,6 +72,7 @@ class FastSolver final : public Solver {
   FastLevels levels_;
   std::vector<CellProblem> problems_;  ///< one a level
   std::vector<int> free_blocks_;       ///< blocks with something unlocked besides colours
+  bool few_ = false;                   ///< little besides colours is unlocked
 
   Phase phase_ = Phase::kStart;
   std::span<const FastStage> plan_;  ///< what is left of it, the present stage first
@@ -79,8 +80,9 @@ class FastSolver final : public Solver {
   int turned_ = -1;                  ///< the block of the present descent
   std::vector<FastFind> ends_;       ///< of this stage
   std::optional<GaussNewton> descent_;
-  std::optional<CellPoint> incumbent_;  ///< the best point on the sharpest level that was compared in full
-  std::optional<CellPoint> outcome_;    ///< the best of the present descents
+  std::optional<CellPoint> incumbent_;  ///< the best that was compared in full, on kSharp
+  std::optional<CellPoint> outcome_;    ///< the best of the present descents...
+  FastLevel outcome_level_ = kSharp;    ///< ...and on which level
   ParamState start_;
   ParamState base_;                       ///< what is explored around
   std::optional<ParamState> first_look_;  ///< where the first descent came on the middle level

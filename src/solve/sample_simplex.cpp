@@ -35,7 +35,7 @@ SampleSimplex::SampleSimplex(const CellProblem& problem, const CellPoint& start,
       map_(std::move(map)),
       coordinates_(std::move(coordinates)),
       simplex_(at(map_.origin(), coordinates_), {.size = size, .tolerance = 1e-3, .restarts = 1}),
-      left_(60 + 30 * static_cast<int>(coordinates_.size())) {
+      left_(40 + 20 * static_cast<int>(coordinates_.size())) {
   for (const std::size_t k : coordinates_) {
     for (const int part : problem.parts().touched_by(start.state, map_.units().list()[k])) {
       if (std::ranges::find(touched_, part) == touched_.end()) touched_.push_back(part);

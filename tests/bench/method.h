@@ -35,7 +35,8 @@ struct MethodCaps {
   [[nodiscard]] std::string text(Method method) const;
 };
 
-/// Solves a task from its start. The account is the renderer's own: everything between the call and the return counts,
+/// Solves a task from its start. Baselines compare whole pictures; the fast solver's renderer keeps what the lights add
+/// that do not move. The account is the renderer's own: everything between the call and the return counts,
 /// over the work of one full picture of the starting rig. key and evaluation_seconds are left to the caller. best gets
 /// the state that was found. errors the renderer's, the session's.
 Result<BenchRun> run_method(Renderer& renderer, const BenchTask& task, Method method, const MethodCaps& caps,
