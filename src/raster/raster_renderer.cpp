@@ -229,7 +229,11 @@ Result<void> RasterRenderer::Impl::resolve(const GlBuffer& colors) {
 }
 
 Result<void> RasterRenderer::Impl::draw(const ParamState& state, const RenderOptions& options) {
-  LUM_TRY_VOID(shade(state, options));
+  if (options.moving && options.shadows && style_.lights == LightCombination::kSum) {
+    LUM_TRY_VOID(shade_moving(state, *options.moving));
+  } else {
+    LUM_TRY_VOID(shade(state, options));
+  }
   return finish(state, options.shadows);
 }
 
@@ -250,12 +254,7 @@ Result<Image> RasterRenderer::Impl::read_picture() const {
 
 Result<double> RasterRenderer::Impl::error(const ParamState& state, const Target& target,
                                            std::optional<std::span<const int>> moving) {
-  if (moving && style_.lights == LightCombination::kSum) {
-    LUM_TRY_VOID(shade_moving(state, *moving));
-    LUM_TRY_VOID(finish(state, true));
-  } else {
-    LUM_TRY_VOID(draw(state, {}));
-  }
+  LUM_TRY_VOID(draw(state, {.moving = moving}));
   if (style_.metric.blur <= 0.0F) return metric_->error(picture_, target);
   LUM_TRY(const Image picture, read_picture());
   return picture_error(picture, target, style_.metric);

@@ -1,6 +1,7 @@
 #pragma once
 // render/renderer.h -- what painting and solving know of an engine. No GL here.
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -15,6 +16,9 @@ namespace luminist {
 
 struct RenderOptions {
   bool shadows = true;
+  /// Places in the rig of the lights that the caller turns from picture to picture; as for Renderer::error(). Without
+  /// shadows nothing is kept.
+  std::optional<std::span<const int>> moving = {};
 };
 
 /// A set of pixels that are evaluated again and again. Same id, same pixels: engines cache by it.

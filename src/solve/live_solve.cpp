@@ -10,6 +10,7 @@
 #include "base/check.h"
 #include "render/metric.h"
 #include "solve/gauss_newton.h"
+#include "solve/objective.h"
 
 namespace luminist {
 namespace {
@@ -55,7 +56,10 @@ class LiveSolve::Impl {
         edges_(edges ? std::move(edges) : std::make_shared<const EdgeMask>(edge_pixels(renderer.surface()))),
         sampler_(renderer.surface(), target_, edges_),
         first_(start),
-        best_(std::move(start)) {}
+        best_(std::move(start)) {
+    const std::vector<const ParamBlock*> blocks = std::as_const(best_).blocks();
+    moving_ = moving_lights(best_, UnitMap::create(blocks, renderer.frame()));
+  }
 
   Result<void> begin(Image picture);
   Result<void> retarget(const Target& target, const PixelBox& changed);
@@ -103,6 +107,7 @@ class LiveSolve::Impl {
   int searches_ = 0;                 ///< begun for the present target
   ParamState first_;                 ///< where the lights began: given first, or offered last
   ParamState best_;
+  std::vector<int> moving_;  ///< lights that may turn
   Image picture_;
   LiveReport report_;
 };
@@ -258,7 +263,7 @@ Result<bool> LiveSolve::Impl::show() {
     if (cost >= kGain * cell_cost(exact.level().cells, exact.picture(points[0]), exact.norm())) return false;
   }
   compared_ = false;
-  LUM_TRY(Image picture, renderer_->render(state));
+  LUM_TRY(Image picture, renderer_->render(state, {.moving = moving_}));
   ++report_.pictures;
   const double epsilon = epsilon_of(picture, state);
   if (!(epsilon < report_.epsilon)) return false;

@@ -88,6 +88,51 @@ TEST_F(GaussNewtonTest, OnlyTheTouchedPartsOfAPictureAreEvaluated) {
   EXPECT_LE(shades, 15.0 + 6.0);  // 18 degrees of freedom without three colours, at most six trials; one light each
 }
 
+TEST_F(GaussNewtonTest, OneBlockTurnsAloneAndTheOthersStay) {
+  wanted_.rig.lights.push_back(hidden_light(renderer_, "other", 9));
+  target_ = renderer_.target_of(wanted_, renderer_.empty_state());
+  level_.cells = CellSampler(renderer_.surface(), target_).cut(600, 1, 1);
+  ParamState start = wanted_;
+  const int position = *light(start).schema().by_role("position");
+  light(start).set_vec3(position, light(start).vec3(position) + Vec3(0.06F, -0.04F, 0.04F));
+  LUM_ASSERT_OK(const CellProblem cells, problem(start));
+  LUM_ASSERT_OK(CellPoint point, cells.measure(start));
+  const double cost = point.cost;
+  const double before = renderer_.work().shades;
+  GaussNewton descent(cells, std::move(point), renderer_.frame().center, {.secants = 0, .block = 1});
+  LUM_ASSERT_OK([[maybe_unused]] bool more, descent.iterate());
+  const double shades = (renderer_.work().shades - before) / static_cast<double>(level_.cells.samples.pixels.size());
+  EXPECT_LE(shades, 15.0 + 6.0);  // as if there were no other light
+  while (more) {
+    LUM_ASSERT_OK(more, descent.iterate());
+  }
+  EXPECT_LT(descent.point().cost, 0.2 * cost);
+  EXPECT_EQ(descent.point().state.rig.lights[1].params.vec3(position), wanted_.rig.lights[1].params.vec3(position));
+}
+
+TEST_F(GaussNewtonTest, SlopesThatFollowTrialsSaveWork) {
+  ParamState start = wanted_;
+  const int position = *light(start).schema().by_role("position");
+  light(start).set_vec3(position, light(start).vec3(position) + Vec3(0.12F, -0.08F, 0.08F));
+  LUM_ASSERT_OK(const CellProblem cells, problem(start));
+  double cost[2] = {};
+  double shades[2] = {};
+  for (const int secants : {0, 3}) {
+    LUM_ASSERT_OK(CellPoint point, cells.measure(start));
+    const double goal = 0.05 * point.cost;
+    const double before = renderer_.work().shades;
+    GaussNewton descent(cells, std::move(point), renderer_.frame().center, {.secants = secants});
+    for (bool more = true; more && descent.point().cost > goal;) {
+      LUM_ASSERT_OK(more, descent.iterate());
+    }
+    cost[secants > 0 ? 1 : 0] = descent.point().cost / goal;
+    shades[secants > 0 ? 1 : 0] = renderer_.work().shades - before;
+  }
+  EXPECT_LE(cost[0], 1.0);
+  EXPECT_LE(cost[1], 1.0);
+  EXPECT_LT(shades[1], shades[0]);
+}
+
 TEST_F(GaussNewtonTest, CorrectedSamplesAreExactThereAndOnlyThere) {
   ParamState start = wanted_;
   const int position = *light(start).schema().by_role("position");
