@@ -39,11 +39,15 @@ struct FastStage {
 /// Many starts descend a little on few samples, the best of them on, and only one to the end.
 inline constexpr std::array<FastStage, 5> kFarSearch{
     {{kScout, 3, 8, true}, {kSoft, 4, 2, true}, {kMiddle, 5, 1}, {kNear, 5, 1}, {kSharp, 6, 1}}};
+/// Where few parameters turn, true edges on few samples would stop a descent in the ripples of thin shadows.
+inline constexpr std::array<FastStage, 4> kFarSearchOfFew{
+    {{kScout, 3, 8, true}, {kSoft, 4, 2, true}, {kMiddle, 5, 1}, {kSharp, 6, 1}}};
 inline constexpr std::array<FastStage, 3> kNearSearch{{{kNear, 3, 4, true}, {kNear, 5, 1}, {kSharp, 6, 1}}};
 inline constexpr std::span<const FastStage> kFromSharp = std::span(kNearSearch).subspan(2);
 
 /// From where the solve begins.
 inline constexpr std::array<FastStage, 4> kFirst{{{kSoft, 6, 2}, {kMiddle, 5, 2}, {kNear, 5, 1}, {kSharp, 6, 1}}};
+inline constexpr std::array<FastStage, 3> kFirstOfFew{{{kSoft, 6, 2}, {kMiddle, 5, 2}, {kSharp, 6, 1}}};
 
 /// From a state whose picture is known and at which the samples are exact.
 inline constexpr std::array<FastStage, 1> kPolish{{{kExact, 8, 1}}};

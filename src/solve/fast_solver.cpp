@@ -123,7 +123,7 @@ Result<void> FastSolver::compare_start() {
   const ParamState start = in_range(given, renderer_->frame(), focus_);
   start_ = start;
   LUM_TRY(incumbent_, problems_[kSharp].measure(start));
-  begin_descents({{start}}, kFirst);
+  begin_descents({{start}}, few_ ? std::span<const FastStage>(kFirstOfFew) : kFirst);
   return {};
 }
 
@@ -203,7 +203,7 @@ Result<bool> FastSolver::look_again() {
     LUM_TRY(incumbent_, problems_[kSharp].measure(start_));
     LUM_TRY(const CellPoint start, near.measure(start_));
     near_start_ = start.cost;
-    begin_descents({{start_}}, kFirst);
+    begin_descents({{start_}}, few_ ? std::span<const FastStage>(kFirstOfFew) : kFirst);
     return true;
   }
   LUM_TRY(CellPoint end, near.measure(ends_.front().point.state));
@@ -229,7 +229,8 @@ Result<bool> FastSolver::look_again() {
 
 void FastSolver::begin_exploration(const ParamState& base, FastLevel level) {
   base_ = base;
-  search_ = level == kNear ? std::span<const FastStage>(kNearSearch) : std::span<const FastStage>(kFarSearch);
+  search_ = few_ ? std::span<const FastStage>(kFarSearchOfFew) : kFarSearch;
+  if (level == kNear) search_ = kNearSearch;
   bool& known = level == kNear ? near_known_ : far_known_;
   exploration_.emplace(problems_[level], base, start_, free_blocks_, focus_, std::exchange(known, true));
   phase_ = Phase::kExplore;
