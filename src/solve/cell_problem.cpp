@@ -133,6 +133,18 @@ std::vector<int> PictureParts::touched_by(const ParamState& state, const Dof& do
   return all;  // its shadow map is everyone's
 }
 
+std::vector<int> PictureParts::touched_by(const ParamState& state, const UnitMap& map,
+                                          std::span<const int> blocks) const {
+  std::vector<int> touched;
+  for (const Dof& dof : map.list()) {
+    if (std::ranges::find(blocks, dof.block) == blocks.end() || scaled_by(dof) >= 0) continue;
+    for (const int part : touched_by(state, dof)) touched.push_back(part);
+  }
+  std::ranges::sort(touched);
+  touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+  return touched;
+}
+
 int PictureParts::scaled_by(const Dof& dof) const {
   for (int part = 0; part < static_cast<int>(parts_.size()); ++part) {
     const Part& p = parts_[static_cast<std::size_t>(part)];

@@ -33,6 +33,9 @@ class PictureParts {
 
   [[nodiscard]] const std::vector<Part>& list() const { return parts_; }
   [[nodiscard]] std::vector<int> touched_by(const ParamState& state, const Dof& dof) const;
+  /// Those that the degrees of freedom of some blocks touch besides colours, in order, each once.
+  [[nodiscard]] std::vector<int> touched_by(const ParamState& state, const UnitMap& map,
+                                            std::span<const int> blocks) const;
   /// The part that a colour channel scales, or -1 if this degree of freedom is nothing so simple.
   [[nodiscard]] int scaled_by(const Dof& dof) const;
 

@@ -1,6 +1,7 @@
 #include "solve/exploration.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <map>
@@ -14,10 +15,6 @@ namespace {
 // Of a light as it is, and as many of it as it was: the fewer the lights, the more can be had.
 constexpr int kVariants = 75;
 constexpr int kVariantsOfOne = 150;
-
-bool cheaper(const FastFind& a, const FastFind& b) {
-  return a.point.cost < b.point.cost;
-}
 
 std::vector<std::vector<ParamState>> one_by_one(std::vector<ParamState> states) {
   std::vector<std::vector<ParamState>> groups;
@@ -66,20 +63,13 @@ Exploration::Exploration(const CellProblem& problem, ParamState base, ParamState
       known_(known) {}
 
 Result<void> Exploration::measure(std::vector<std::vector<ParamState>> groups, int block, int other) {
-  const CellPoint& home = home_.front();
-  const PictureParts& parts = problem_->parts();
-  std::vector<int> touched;
   const std::vector<const ParamBlock*> blocks = std::as_const(base_).blocks();
   const UnitMap map = UnitMap::create(blocks, problem_->frame());
-  for (const Dof& dof : map.list()) {
-    if ((dof.block != block && dof.block != other) || parts.scaled_by(dof) >= 0) continue;
-    for (const int part : parts.touched_by(home.state, dof)) touched.push_back(part);
-  }
-  std::sort(touched.begin(), touched.end());
-  touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
+  const std::array<int, 2> varied{block, other};
+  const std::vector<int> touched = problem_->parts().touched_by(base_, map, std::span(varied).first(other < 0 ? 1 : 2));
   std::vector<ParamState> states;
   for (std::vector<ParamState>& group : groups) std::move(group.begin(), group.end(), std::back_inserter(states));
-  LUM_TRY(std::vector<CellPoint> points, problem_->measure(std::move(states), &home, touched));
+  LUM_TRY(std::vector<CellPoint> points, problem_->measure(std::move(states), &*home_, touched));
   auto begin = points.begin();
   for (const std::vector<ParamState>& group : groups) {
     const auto end = begin + static_cast<std::ptrdiff_t>(group.size());
@@ -91,13 +81,12 @@ Result<void> Exploration::measure(std::vector<std::vector<ParamState>> groups, i
 }
 
 Result<bool> Exploration::step(Random& random) {
-  if (home_.empty()) {
-    LUM_TRY(CellPoint home, problem_->measure(base_));
-    home_.push_back(std::move(home));
+  if (!home_) {
+    LUM_TRY(home_, problem_->measure(base_));
     LUM_TRY(const CellPoint start, problem_->measure(start_));
     start_cost_ = start.cost;
   }
-  const CellPoint& home = home_.front();
+  const CellPoint& home = *home_;
   const SampleCells& cells = problem_->level().cells;
   const CellField picture = problem_->picture(home);
   LightPlaces places{cells.position, cells.normal, {}, focus_};
@@ -121,15 +110,15 @@ Result<bool> Exploration::step(Random& random) {
 
 Result<void> Exploration::exchange(int block) {
   for (std::size_t i = next_; i < blocks_.size(); ++i) {
-    std::vector<ParamState> exchanged = light_exchange(home_.front().state, block, blocks_[i]);
+    std::vector<ParamState> exchanged = light_exchange(home_->state, block, blocks_[i]);
     LUM_TRY_VOID(measure(one_by_one(std::move(exchanged)), block, blocks_[i]));
   }
   return {};
 }
 
 std::vector<FastFind> Exploration::take(std::size_t count) {
-  if (home_.empty()) return {};
-  return cheapest_distinct(*problem_, std::exchange(finds_, {}), count, &home_.front(), start_cost_);
+  if (!home_) return {};
+  return cheapest_distinct(*problem_, std::exchange(finds_, {}), count, &*home_, start_cost_);
 }
 
 }  // namespace luminist

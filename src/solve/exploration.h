@@ -1,6 +1,7 @@
 #pragma once
 // solve/exploration.h -- restarts: what a state's lights could be instead, and which of that is worth descending from.
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "solve/cell_problem.h"
@@ -14,9 +15,13 @@ struct FastFind {
   int block = -1;
 };
 
+[[nodiscard]] inline bool cheaper(const FastFind& a, const FastFind& b) {
+  return a.point.cost < b.point.cost;
+}
+
 /// The cheapest finds whose pictures differ from that of `taken` (may be null) and from each other by some of their
-/// cost: what only turns something that does not show is no other start. No block gets more than its share of the
-/// places.
+/// cost or, if that is less, of what they gain over the start: what only turns something that does not show is no other
+/// start. No block gets more than its share of the places. start_cost: the start's, on the same cells.
 std::vector<FastFind> cheapest_distinct(const CellProblem& problem, std::vector<FastFind> finds, std::size_t count,
                                         const CellPoint* taken, double start_cost);
 
@@ -45,8 +50,8 @@ class Exploration {
   std::vector<int> blocks_;
   Vec3 focus_;
   bool known_;
-  std::size_t next_ = 0;         ///< of blocks_
-  std::vector<CellPoint> home_;  ///< the base, once measured
+  std::size_t next_ = 0;           ///< of blocks_
+  std::optional<CellPoint> home_;  ///< the base, once measured
   double start_cost_ = 0.0;
   std::vector<FastFind> finds_;
 };

@@ -11,7 +11,7 @@ namespace luminist {
 
 /// kScout, kSoft and kMiddle have few cells, and shadows and light edges wider than they are: they lead from far away.
 /// Near the target they mislead, because wide shadows are not those of the target; the others have true edges. kNear
-/// has few cells; kSharp and kExact share many, with less noise in shadows the more rays they have.
+/// has few cells, kSharp many, and kExact so many that what differs from the picture is no chance of the sample.
 enum FastLevel : std::size_t { kScout, kSoft, kMiddle, kNear, kSharp, kExact, kFastLevels };
 
 using FastLevels = std::array<Level, kFastLevels>;

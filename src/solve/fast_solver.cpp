@@ -21,10 +21,6 @@ constexpr int kSimplexSlice = 25;  // points in one step
 constexpr double kSimplexSize = 0.1;
 constexpr int kFew = 9;  // degrees of freedom besides colours
 
-bool cheaper(const FastFind& a, const FastFind& b) {
-  return a.point.cost < b.point.cost;
-}
-
 }  // namespace
 
 FastSolver::FastSolver(Renderer& renderer, const Target& target, Progress& progress)
@@ -123,7 +119,7 @@ Result<void> FastSolver::compare_start() {
   const ParamState start = in_range(given, renderer_->frame(), focus_);
   start_ = start;
   LUM_TRY(incumbent_, problems_[kSharp].measure(start));
-  begin_descents({{start}}, few_ ? std::span<const FastStage>(kFirstOfFew) : kFirst);
+  begin_descents({{start}}, first_plan());
   return {};
 }
 
@@ -167,10 +163,7 @@ Result<void> FastSolver::end_stage() {
     return {};
   }
   const bool searching = round_ == 0 && polishes_ == 0;
-  if (searching && plan_[1].level == kSharp) {
-    LUM_TRY(const bool again, look_again());
-    if (again) return {};
-  }
+  if (searching && plan_[1].level == kSharp) return look_again();
   // What an exploration finds must be another place than where it set out from.
   const CellProblem& problem = problems_[plan_.front().level];
   std::optional<CellPoint> home;
@@ -193,7 +186,7 @@ Result<void> FastSolver::end_stage() {
   return {};
 }
 
-Result<bool> FastSolver::look_again() {
+Result<void> FastSolver::look_again() {
   const CellProblem& near = problems_[kNear];
   if (!first_look_) {
     // Wide shadows differ from real ones by more than may be wanted. Seen from the start, whose picture is known, that
@@ -203,8 +196,8 @@ Result<bool> FastSolver::look_again() {
     LUM_TRY(incumbent_, problems_[kSharp].measure(start_));
     LUM_TRY(const CellPoint start, near.measure(start_));
     near_start_ = start.cost;
-    begin_descents({{start_}}, few_ ? std::span<const FastStage>(kFirstOfFew) : kFirst);
-    return true;
+    begin_descents({{start_}}, first_plan());
+    return {};
   }
   LUM_TRY(CellPoint end, near.measure(ends_.front().point.state));
   if (!scouted_) {
@@ -221,10 +214,10 @@ Result<bool> FastSolver::look_again() {
       !free_blocks_.empty()) {
     begin_exploration(scouted_->state, scouts_ == 0 && scouted_->cost > kFar * near_start_ ? kScout : kNear);
     ++scouts_;
-    return true;
+    return {};
   }
-  ends_.front().point = *scouted_;
-  return false;
+  begin_descents({{scouted_->state}}, kFromSharp);
+  return {};
 }
 
 void FastSolver::begin_exploration(const ParamState& base, FastLevel level) {
@@ -237,11 +230,11 @@ void FastSolver::begin_exploration(const ParamState& base, FastLevel level) {
 }
 
 Result<void> FastSolver::check() {
-  constexpr double kWorthAPicture =
-      0.005;                            // of what was gained so far; a painting leaves more than that of any picture
+  // Gains are shares of what was gained so far: a painting leaves an error that no picture makes less.
+  constexpr double kWorthAPicture = 0.005;
   constexpr int kPolishes = 8;          // in a row
   constexpr double kPolishReach = 2.0;  // of a stated goal: farther away a polish is no help
-  constexpr double kPolishGain = 0.03;  // of what was gained so far: one that gains less was the last
+  constexpr double kPolishGain = 0.03;  // a polish that gains less was the last
   const double gained = progress_->report().epsilon_start - progress_->report().epsilon;
   const bool first = round_ == 0 || polishes_ > 0;
   LUM_TRY(const CellPoint here, problems_[outcome_level_].measure(incumbent_->state));

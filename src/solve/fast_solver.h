@@ -37,6 +37,11 @@ class FastSolver final : public Solver {
 
  private:
   enum class Phase { kStart, kDescend, kCheck, kExplore, kSimplex, kDone };
+  /// Where a descent begins, and the block that turns alone where a stage wants that.
+  struct Start {
+    ParamState state;
+    int block = -1;
+  };
 
   FastSolver(Renderer& renderer, const Target& target, Progress& progress);
   Result<void> prepare(std::shared_ptr<const EdgeMask> edges);
@@ -46,16 +51,14 @@ class FastSolver final : public Solver {
   Result<void> explore();
   Result<void> run_simplex();
   void begin_round();
-  /// Where a descent begins, and the block that turns alone where a stage wants that.
-  struct Start {
-    ParamState state;
-    int block = -1;
-  };
   void begin_descents(std::vector<Start> starts, std::span<const FastStage> plan);
   void begin_exploration(const ParamState& base, FastLevel level);
   Result<void> end_stage();
-  /// At the end of the first descents: tries the other way, or explores. returns false when enough was tried.
-  Result<bool> look_again();
+  /// Before many cells are descended on for the first time: tries the other way, or explores, unless enough was tried.
+  Result<void> look_again();
+  [[nodiscard]] std::span<const FastStage> first_plan() const {
+    return few_ ? std::span<const FastStage>(kFirstOfFew) : kFirst;
+  }
   /// Makes the samples of all levels exact at a state, of which the last picture was made.
   Result<void> correct(const ParamState& state);
   /// The renderer's picture of a state, without some lights, on the cells of every level.
@@ -85,7 +88,7 @@ class FastSolver final : public Solver {
   FastLevel outcome_level_ = kSharp;    ///< ...and on which level
   ParamState start_;
   ParamState base_;                       ///< what is explored around
-  std::optional<ParamState> first_look_;  ///< where the first descent came on the middle level
+  std::optional<ParamState> first_look_;  ///< where the first descent came, before many cells
   std::optional<CellPoint> scouted_;      ///< the best on kNear, not yet taken to the sharpest
   int scouts_ = 0;                        ///< explorations before the first picture
   int idle_scouts_ = 0;                   ///< in a row without a gain

@@ -11,7 +11,7 @@ namespace luminist {
 namespace {
 
 /// Where the un-squared norm is rounded off, of the mean residual. Rounder than the norm asks for: a few cells with
-/// tiny residuals would otherwise hold all the others back, and descents took three times as many iterations.
+/// tiny residuals would otherwise hold all the others back, and descents take three times as many iterations.
 constexpr double kNormFloor = 0.3;
 
 constexpr double kLeastDamping = 1e-8;

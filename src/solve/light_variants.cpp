@@ -76,12 +76,12 @@ void place_anew(ParamBlock& params, int position, int direction, const Vec3& aim
   keep_footprint(params, frame, distance, now);
 }
 
-/// The parameters of one manifest group as they are in `start`, and nothing else of the block free.
+/// The parameters of one manifest group as they are in `source`, and nothing else of the block free.
 /// Groups with a position or of a single parameter stay: there is nothing to undo in them.
-ParamState group_reset(const ParamState& alone, const ParamState& start, int block, const std::string& group) {
+ParamState group_reset(const ParamState& alone, const ParamState& source, int block, const std::string& group) {
   ParamState result = alone;
   ParamBlock& params = *result.blocks()[static_cast<std::size_t>(block)];
-  const ParamBlock& before = *start.blocks()[static_cast<std::size_t>(block)];
+  const ParamBlock& before = *source.blocks()[static_cast<std::size_t>(block)];
   int members = 0;
   bool place = false;
   for (const ParamSpec& spec : params.schema().specs()) {

@@ -29,9 +29,9 @@ std::vector<ParamState> light_variants(const ParamState& state, int block, const
 /// - each unlocked degree of freedom of one block, colours excepted, alone elsewhere in its range (a cutoff far beyond
 ///   the scene matters to no slope), around the state and around it with the rest of the manifest's group as in
 ///   `start`;
-/// - one edge of a light's shape (role "shape", half sizes) moved: the light turns and narrows or widens at once (an
-/// edge
-///   outside the picture has no slope either).
+/// - one edge of a light's shape (role "shape", half sizes) moved: the light turns and narrows or widens at once, for
+///   an edge outside the picture has no slope either. The same with one manifest group at a time as in `start` or as a
+///   new light has it: cutoffs that do an edge's work hide where the edge belongs.
 std::vector<std::vector<ParamState>> light_scans(const ParamState& state, const ParamState& start, int block,
                                                  const SceneFrame& frame);
 

@@ -1,6 +1,5 @@
 #include "solve/sample_simplex.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace luminist {
@@ -36,11 +35,8 @@ SampleSimplex::SampleSimplex(const CellProblem& problem, const CellPoint& start,
       coordinates_(std::move(coordinates)),
       simplex_(at(map_.origin(), coordinates_), {.size = size, .tolerance = 1e-3, .restarts = 1}),
       left_(40 + 20 * static_cast<int>(coordinates_.size())) {
-  for (const std::size_t k : coordinates_) {
-    for (const int part : problem.parts().touched_by(start.state, map_.units().list()[k])) {
-      if (std::ranges::find(touched_, part) == touched_.end()) touched_.push_back(part);
-    }
-  }
+  const int block = map_.units().list()[coordinates_.front()].block;
+  touched_ = problem.parts().touched_by(start.state, map_.units(), {&block, 1});
 }
 
 Result<bool> SampleSimplex::walk(int points) {

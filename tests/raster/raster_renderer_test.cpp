@@ -1,5 +1,6 @@
 #include "raster/raster_renderer.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <fstream>
@@ -17,6 +18,12 @@ double mean_of(const Image& image) {
   double sum = 0.0;
   for (const float v : image.data) sum += static_cast<double>(v);
   return sum / static_cast<double>(image.data.size());
+}
+
+float largest_difference(const Image& a, const Image& b) {
+  float largest = 0.0F;
+  for (std::size_t i = 0; i < a.data.size(); ++i) largest = std::max(largest, std::abs(a.data[i] - b.data[i]));
+  return largest;
 }
 
 TEST_F(RasterRendererTest, APictureIsLitAndFiniteAndRepeatsItsBits) {
@@ -89,6 +96,9 @@ TEST_F(RasterRendererTest, AnErrorOfMovingLightsIsThatOfTheWholePicture) {
       if (step == 1) {
         EXPECT_LT(quick_shades, whole_shades) << "what stands still is kept";
       }
+      LUM_ASSERT_OK(const Image whole_picture, renderer_->render(*state_));
+      LUM_ASSERT_OK(const Image quick_picture, renderer_->render(*state_, {.moving = moving}));
+      EXPECT_LT(largest_difference(whole_picture, quick_picture), 1e-4F) << style << ", step " << step;
     }
   }
 }

@@ -25,6 +25,10 @@ class GaussNewtonTest : public testing::Test {
     return CellProblem::create(renderer_, parts_, level_, start, Norm::kUnsquared);
   }
   ParamBlock& light(ParamState& state) { return state.rig.lights[0].params; }
+  int position_of(ParamState& state) { return *light(state).schema().by_role("position"); }
+  void move_light(ParamState& state, const Vec3& by) {
+    light(state).set_vec3(position_of(state), light(state).vec3(position_of(state)) + by);
+  }
 
   FakeRenderer renderer_;
   ParamState wanted_;
@@ -43,8 +47,7 @@ TEST_F(GaussNewtonTest, ColoursAreFoundByMeasuringOnce) {
 
 TEST_F(GaussNewtonTest, FindsBackToALightThatWasMovedALittle) {
   ParamState start = wanted_;
-  const int position = *light(start).schema().by_role("position");
-  light(start).set_vec3(position, light(start).vec3(position) + Vec3(0.06F, -0.04F, 0.04F));
+  move_light(start, Vec3(0.06F, -0.04F, 0.04F));
   LUM_ASSERT_OK(const CellProblem cells, problem(start));
   LUM_ASSERT_OK(CellPoint point, cells.measure(start));
   const double before = point.cost;
@@ -93,8 +96,7 @@ TEST_F(GaussNewtonTest, OneBlockTurnsAloneAndTheOthersStay) {
   target_ = renderer_.target_of(wanted_, renderer_.empty_state());
   level_.cells = CellSampler(renderer_.surface(), target_).cut(600, 1, 1);
   ParamState start = wanted_;
-  const int position = *light(start).schema().by_role("position");
-  light(start).set_vec3(position, light(start).vec3(position) + Vec3(0.06F, -0.04F, 0.04F));
+  move_light(start, Vec3(0.06F, -0.04F, 0.04F));
   LUM_ASSERT_OK(const CellProblem cells, problem(start));
   LUM_ASSERT_OK(CellPoint point, cells.measure(start));
   const double cost = point.cost;
@@ -107,13 +109,13 @@ TEST_F(GaussNewtonTest, OneBlockTurnsAloneAndTheOthersStay) {
     LUM_ASSERT_OK(more, descent.iterate());
   }
   EXPECT_LT(descent.point().cost, 0.2 * cost);
+  const int position = position_of(start);
   EXPECT_EQ(descent.point().state.rig.lights[1].params.vec3(position), wanted_.rig.lights[1].params.vec3(position));
 }
 
 TEST_F(GaussNewtonTest, SlopesThatFollowTrialsSaveWork) {
   ParamState start = wanted_;
-  const int position = *light(start).schema().by_role("position");
-  light(start).set_vec3(position, light(start).vec3(position) + Vec3(0.12F, -0.08F, 0.08F));
+  move_light(start, Vec3(0.12F, -0.08F, 0.08F));
   LUM_ASSERT_OK(const CellProblem cells, problem(start));
   double cost[2] = {};
   double shades[2] = {};
@@ -135,8 +137,7 @@ TEST_F(GaussNewtonTest, SlopesThatFollowTrialsSaveWork) {
 
 TEST_F(GaussNewtonTest, CorrectedSamplesAreExactThereAndOnlyThere) {
   ParamState start = wanted_;
-  const int position = *light(start).schema().by_role("position");
-  light(start).set_vec3(position, light(start).vec3(position) + Vec3(0.3F, -0.1F, 0.2F));
+  move_light(start, Vec3(0.3F, -0.1F, 0.2F));
   level_.softness = {0.1F, 0.1F, 0.0F, 1};  // far from the picture
   LUM_ASSERT_OK(CellProblem cells, problem(start));
   LUM_ASSERT_OK(const Image picture, renderer_.render(start, {}));
@@ -172,7 +173,7 @@ TEST_F(GaussNewtonTest, ALightWhoseShadowEveryoneUsesTouchesEveryone) {
   start.rig.lights.push_back(hidden_light(renderer_, "other", 9));
   start.rig.shadow_light = "spot";
   LUM_ASSERT_OK(const PictureParts parts, PictureParts::create(renderer_, start, level_.cells.samples));
-  const int position = *light(start).schema().by_role("position");
+  const int position = position_of(start);
   const int color = *light(start).schema().by_role("color");
   EXPECT_EQ(parts.touched_by(start, {1, position, 0}), (std::vector<int>{1, 2}));
   EXPECT_EQ(parts.touched_by(start, {1, color, 0}), (std::vector<int>{1}));
