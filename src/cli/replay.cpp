@@ -40,13 +40,12 @@ void print_live(Console& console, const LiveMeasure& measure) {
   console.result(in_ms("  new target", measure.retarget));
   console.result(in_ms("  solve", measure.solve));
   console.result(in_ms("  picture", measure.picture));
-  const std::string first =
-      measure.first_improvement < 0.0 ? "no improvement" : "improved after " + in_ms(measure.first_improvement);
-  console.result(
-      fmt::format("  after the last event: {}, 95 % of the gain after {}, nothing more after {:.1f} s; "
-                  "error {:.5f}, then {:.5f}, in the end {:.5f}",
-                  first, in_ms(measure.settled_95), measure.settled, measure.epsilon_before, measure.epsilon_event,
-                  measure.epsilon));
+  console.result(in_ms("stroke to improvement", measure.stroke_to_improvement) +
+                 fmt::format("  of {} strokes", measure.improved));
+  console.result(fmt::format(
+      "  after the last event: 95 % of the gain after {}, nothing more after {:.1f} s; "
+      "error {:.5f}, then {:.5f}, in the end {:.5f}",
+      in_ms(measure.settled_95), measure.settled, measure.epsilon_before, measure.epsilon_event, measure.epsilon));
 }
 
 Result<int> replay(const Words& words, VerbContext& context) {

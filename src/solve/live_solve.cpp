@@ -98,6 +98,7 @@ class LiveSolve::Impl {
   Vec3 focus_{0.0F};
 
   Phase phase_ = Phase::kBegin;
+  LevelName level_ = kFollow;  ///< of the descent
   std::vector<ParamState> offers_;
   std::optional<GaussNewton> descent_;
   std::optional<SolveSession> session_;
@@ -127,6 +128,7 @@ Result<void> LiveSolve::Impl::begin(Image picture) {
 /// Cells for the present target, and what does not change on them.
 Result<void> LiveSolve::Impl::cut() {
   problems_.clear();
+  level_ = kFollow;
   if (sampler_.nothing_counts()) return {};
   levels_[kFollow] = {
       sampler_.cut(kCells, kPerCell, options_.seed), {0.03F, 0.04F, 0.1F, 2}, 0.008, 0.005, kIterations};
@@ -175,6 +177,7 @@ void LiveSolve::Impl::offer(ParamState start) {
   keep_constraints(start.rig);
   first_ = start;
   offers_.push_back(std::move(start));
+  level_ = kFollow;
   descent_.reset();
   session_.reset();
   searches_ = 0;
@@ -203,11 +206,13 @@ Result<void> LiveSolve::Impl::start_descent() {
   offers_.clear();
   starts.insert(starts.begin(), best_);
   if (found_) starts.push_back(*found_);
-  LUM_TRY(std::vector<CellPoint> points, problems_[kFollow].measure(std::move(starts), nullptr, {}));
+  LUM_TRY(std::vector<CellPoint> points, problems_[level_].measure(std::move(starts), nullptr, {}));
   const auto nearest = std::min_element(points.begin(), points.end(),
                                         [](const CellPoint& a, const CellPoint& b) { return a.cost < b.cost; });
   found_ = nearest->state;  // its colours were solved
-  descent_.emplace(problems_[kFollow], std::move(*nearest), focus_);
+  GaussNewtonOptions options;
+  options.eager = level_ == kExact;
+  descent_.emplace(problems_[level_], std::move(*nearest), focus_, options);
   enter(Phase::kDescend);
   return {};
 }
@@ -217,7 +222,8 @@ Result<void> LiveSolve::Impl::descend() {
   found_ = descent_->point().state;
   if (!more || descent_->iterations() >= kIterations) {
     descent_.reset();
-    enter(Phase::kSearch);
+    enter(level_ == kFollow ? Phase::kBegin : Phase::kSearch);
+    level_ = kExact;
   }
   return {};
 }

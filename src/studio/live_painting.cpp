@@ -61,8 +61,7 @@ Result<LiveEvent> LivePainting::follow(Result<PixelBox> painted, Clock::time_poi
   const bool began = solve_.has_value();
   LUM_TRY_VOID(retarget(*painted));
   event.retarget = lap(since);
-  event.epsilon_before =
-      began ? solve_->report().epsilon : picture_error(canvas_.target().before, canvas_.target(), stage_->style.metric);
+  event.epsilon_before = began ? solve_->report().epsilon : error_of(canvas_.target().before);
   event.epsilon = event.epsilon_before;
   if (!solve_) return event;
   since = Clock::now();
@@ -72,6 +71,10 @@ Result<LiveEvent> LivePainting::follow(Result<PixelBox> painted, Clock::time_poi
   event.picture = lap(since);
   event.epsilon = solve_->report().epsilon;
   return event;
+}
+
+double LivePainting::error_of(const Image& picture) const {
+  return picture_error(picture, canvas_.target(), stage_->style.metric);
 }
 
 Result<void> LivePainting::retarget(const PixelBox& box) {

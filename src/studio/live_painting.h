@@ -56,6 +56,8 @@ class LivePainting {
   [[nodiscard]] const ParamState& best() const { return solve_ ? solve_->best() : start_; }
   [[nodiscard]] const Image& picture() const { return solve_ ? solve_->picture() : canvas_.target().before; }
   [[nodiscard]] const Target& target() const { return canvas_.target(); }
+  /// Of a picture of the shot, against the target now. cost O(pixels)
+  [[nodiscard]] double error_of(const Image& picture) const;
   [[nodiscard]] int pictures() const { return solve_ ? solve_->report().pictures : 0; }
 
  private:

@@ -65,6 +65,12 @@ std::vector<HandEvent> hand_events(const StrokeFile& file) {
   return events;
 }
 
+/// A moment after the last event.
+struct Moment {
+  double seconds = 0.0;
+  double epsilon = 0.0;
+};
+
 /// Runs the events through the loop of a window.
 class Hand {
  public:
@@ -82,9 +88,23 @@ class Hand {
     return {};
   }
 
+  /// After the last event, until nothing more is found.
+  Result<void> settle(const std::function<bool()>& watch) {
+    moments_ = {{since_last(), frames_.back().epsilon}};
+    for (bool more = true; more && watch();) {
+      LUM_TRY(const LiveEvent rest, painting_->rest());
+      clock_ += rest.total();
+      look(rest.epsilon);
+      moments_.push_back({since_last(), rest.epsilon});
+      more = rest.more;
+    }
+    return {};
+  }
+
   [[nodiscard]] int events() const { return static_cast<int>(events_.size()); }
   [[nodiscard]] int frames() const { return static_cast<int>(frames_.size()); }
-  [[nodiscard]] double since_last() const { return clock_ - events_.back().arrival; }
+  [[nodiscard]] const std::vector<Moment>& moments() const { return moments_; }
+  [[nodiscard]] const std::vector<double>& improvements() const { return improvements_; }
   [[nodiscard]] const LiveEvent& last_frame() const { return frames_.back(); }
   [[nodiscard]] const std::vector<double>& latencies() const { return latencies_; }
   [[nodiscard]] Latency of(double LiveEvent::*part) const {
@@ -102,6 +122,7 @@ class Hand {
     while (more && clock_ < arrival) {
       LUM_TRY(const LiveEvent rest, painting_->rest());
       clock_ += rest.total();
+      look(rest.epsilon);
       more = rest.more;
     }
     clock_ = std::max(clock_, arrival);
@@ -117,6 +138,7 @@ class Hand {
       together.points.insert(together.points.end(), points.begin(), points.end());
     }
     const Stroke& recorded = file_->strokes[together.stroke];
+    if (together.begins) before_ = painting_->picture();
     LiveEvent event;
     if (recorded.brush.bucket) {
       LUM_TRY(event, painting_->bucket(recorded, folder_));
@@ -129,9 +151,22 @@ class Hand {
     for (std::size_t i = first; i < next_; ++i) latencies_.push_back(clock_ - events_[i].arrival);
     frames_.push_back(event);
     const bool lifted = next_ == events_.size() || events_[next_].begins;
-    if (lifted && !recorded.brush.bucket) LUM_TRY_VOID(painting_->end());
+    if (!lifted) return {};
+    lifted_ = events_[next_ - 1].arrival;
+    wanted_ = (1.0 - kVisible) * painting_->error_of(before_);
+    look(event.epsilon);
+    if (!recorded.brush.bucket) LUM_TRY_VOID(painting_->end());
     return {};
   }
+
+  /// Whether the picture is nearer to the target, since the last stroke is whole, than that shown before the stroke.
+  void look(double epsilon) {
+    if (epsilon > wanted_) return;
+    improvements_.push_back(clock_ - lifted_);
+    wanted_ = -1.0;
+  }
+
+  [[nodiscard]] double since_last() const { return clock_ - events_.back().arrival; }
 
   LivePainting* painting_;
   const StrokeFile* file_;
@@ -141,24 +176,12 @@ class Hand {
   double clock_ = 0.0;
   std::vector<LiveEvent> frames_;
   std::vector<double> latencies_;
+  Image before_;          ///< shown when the last stroke began
+  double lifted_ = 0.0;   ///< when the last stroke ended
+  double wanted_ = -1.0;  ///< an epsilon that is an improvement on before_; negative if there is nothing to wait for
+  std::vector<double> improvements_;
+  std::vector<Moment> moments_;
 };
-
-/// A moment after the last event.
-struct Moment {
-  double seconds = 0.0;
-  double epsilon = 0.0;
-};
-
-/// From the answer to the last event until nothing more is found.
-Result<std::vector<Moment>> settle(LivePainting& painting, const Hand& hand, const std::function<bool()>& watch) {
-  std::vector<Moment> moments{{hand.since_last(), hand.last_frame().epsilon}};
-  for (bool more = true; more && watch();) {
-    LUM_TRY(const LiveEvent rest, painting.rest());
-    moments.push_back({moments.back().seconds + rest.total(), rest.epsilon});
-    more = rest.more;
-  }
-  return moments;
-}
 
 /// The first moment at most that far from the target; -1 if there is none.
 double reached(const std::vector<Moment>& moments, double epsilon) {
@@ -192,7 +215,8 @@ Result<LiveMeasure> paint_live(LivePainting& painting, const StrokeFile& strokes
     return Error{ErrorKind::kNothingToDo, "no stroke says where the new light begins", path, "strokes",
                  "paint light that is not there yet"};
   }
-  LUM_TRY(const std::vector<Moment> moments, settle(painting, hand, watch));
+  LUM_TRY_VOID(hand.settle(watch));
+  const std::vector<Moment>& moments = hand.moments();
   LiveMeasure measure;
   measure.name = std::filesystem::path(path).filename().string();
   measure.strokes = static_cast<int>(strokes.strokes.size());
@@ -206,7 +230,8 @@ Result<LiveMeasure> paint_live(LivePainting& painting, const StrokeFile& strokes
   measure.epsilon_before = hand.last_frame().epsilon_before;
   measure.epsilon_event = moments.front().epsilon;
   measure.epsilon = moments.back().epsilon;
-  measure.first_improvement = reached(moments, (1.0 - kVisible) * measure.epsilon_before);
+  measure.improved = static_cast<int>(hand.improvements().size());
+  measure.stroke_to_improvement = latency_of(hand.improvements());
   measure.settled_95 = reached(moments, measure.epsilon + 0.05 * (measure.epsilon_before - measure.epsilon));
   measure.settled = moments.back().seconds;
   measure.pictures = painting.pictures();
@@ -223,7 +248,8 @@ nlohmann::json live_to_json(const LiveMeasure& measure) {
           {"retarget", to_json(measure.retarget)},
           {"solve", to_json(measure.solve)},
           {"picture", to_json(measure.picture)},
-          {"first_improvement", measure.first_improvement},
+          {"improved", measure.improved},
+          {"stroke_to_improvement", to_json(measure.stroke_to_improvement)},
           {"settled_95", measure.settled_95},
           {"settled", measure.settled},
           {"epsilon_before", measure.epsilon_before},

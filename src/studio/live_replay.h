@@ -31,12 +31,13 @@ struct LiveMeasure {
   int frames = 0;            ///< rounds of the loop: events that came meanwhile are taken together
   Latency event_to_picture;  ///< from the arrival of an event's last point until a picture that knows of it
   Latency paint, retarget, solve, picture;  ///< parts of a frame
-  double first_improvement = 0.0;  ///< from the last event to a picture nearer to the final target by 1 %; -1: none
-  double settled_95 = 0.0;         ///< until 95 % of what was still to be gained was gained
-  double settled = 0.0;            ///< until nothing more was found
-  double epsilon_before = 0.0;     ///< of the picture shown when the last event came, against the final target
-  double epsilon_event = 0.0;      ///< of the picture that answered the last event
-  double epsilon = 0.0;            ///< at the end
+  int improved = 0;               ///< strokes after which a picture came, before the next stroke, that was nearer...
+  Latency stroke_to_improvement;  ///< ...by 1 % than the one shown when they began; from the end of the stroke
+  double settled_95 = 0.0;        ///< from the last event until 95 % of what was still to be gained was gained
+  double settled = 0.0;           ///< until nothing more was found
+  double epsilon_before = 0.0;    ///< of the picture shown when the last event came, against the final target
+  double epsilon_event = 0.0;     ///< of the picture that answered the last event
+  double epsilon = 0.0;           ///< at the end
   int pictures = 0;
 };
 

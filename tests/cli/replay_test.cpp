@@ -158,11 +158,13 @@ TEST_F(CliTest, ReplaysStrokesLiveAndSaysHowLongThePicturesTook) {
   EXPECT_EQ(live["strokes_of"], "light.json");
   EXPECT_GT(live["events"].get<int>(), 5);
   EXPECT_LE(live["frames"].get<int>(), live["events"].get<int>());
-  for (const char* part : {"event_to_picture", "paint", "retarget", "solve", "picture"}) {
+  for (const char* part : {"event_to_picture", "paint", "retarget", "solve", "picture", "stroke_to_improvement"}) {
     EXPECT_LE(live[part]["median"].get<double>(), live[part]["p95"].get<double>()) << part;
     EXPECT_LE(live[part]["p95"].get<double>(), live[part]["max"].get<double>()) << part;
   }
   EXPECT_LE(live["epsilon"].get<double>(), live["epsilon_event"].get<double>());
+  EXPECT_LE(live["improved"].get<int>(), live["strokes"].get<int>());
+  EXPECT_GE(live["improved"].get<int>(), 1) << "the light that the strokes ask for is found";
   EXPECT_TRUE(exists("out/step1/picture.exr"));  // the rest of the script goes on with what was found
   EXPECT_TRUE(exists("out/ball.lum/log.jsonl"));
 }
