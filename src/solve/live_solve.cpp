@@ -303,13 +303,14 @@ Result<bool> LiveSolve::step() {
   return impl_->step();
 }
 
-Result<bool> LiveSolve::run_for(std::chrono::milliseconds slice) {
+Result<bool> LiveSolve::run_for(std::chrono::milliseconds slice, Hand hand) {
   const Clock::time_point end = Clock::now() + slice;
-  while (true) {
+  do {
+    if (hand == Hand::kMoves && !report().following) return !report().settled;
     LUM_TRY(const bool more, step());
     if (!more) return false;
-    if (Clock::now() >= end) return true;
-  }
+  } while (Clock::now() < end);
+  return true;
 }
 
 Result<bool> LiveSolve::show() {

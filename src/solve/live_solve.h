@@ -11,6 +11,9 @@
 
 namespace luminist {
 
+/// Whether another target is about to come.
+enum class Hand { kMoves, kRests };
+
 struct LiveReport {
   double epsilon = std::numeric_limits<double>::infinity();  ///< of the picture shown, against the present target
   int pictures = 0;                                          ///< drawn, the start's too
@@ -20,10 +23,11 @@ struct LiveReport {
 
 /// Keeps the best lights for a target that is still being painted, and the picture of them.
 ///
-/// While the hand moves, a descent on some hundred samples follows: each new target is started on from the lights that
-/// are shown or, if that is nearer, from what was found since. Samples stay where they are until the paint has moved a
-/// seventh of what the cells stand for; the surface's edges are looked for once. When the descent ends the hand rests:
-/// a SolveSession goes on from what is shown, with all that a solve can do, and then one from where the lights began.
+/// While the hand moves, a descent on some hundred samples follows, first with wide shadows and edges and then with
+/// true ones: each new target is started on from the lights that are shown or, if that is nearer, from what was found
+/// since. Samples stay where they are until the paint has moved a seventh of what the cells stand for; the surface's
+/// edges are looked for once. When the hand rests, a SolveSession goes on from what is shown, with all that a solve can
+/// do, and then one from where the lights began.
 ///
 /// What is found is drawn by show() and compared with the picture shown, both in full against the present target; the
 /// nearer one stays. So the picture never gets worse while the paint stands still, at the cost of one picture for each
@@ -58,8 +62,9 @@ class LiveSolve {
 
   /// One bounded piece of work. returns false when the present target has nothing more to gain. errors the renderer's.
   Result<bool> step();
-  /// Steps until then or the slice is over (at least one step).
-  Result<bool> run_for(std::chrono::milliseconds slice);
+  /// Steps until then or the slice is over (at least one step). While the hand moves it is also over when the descent
+  /// is at its end: a search that the next event throws away would only keep that event waiting.
+  Result<bool> run_for(std::chrono::milliseconds slice, Hand hand);
   /// Draws what was found since and shows it if it is nearer. returns whether the picture changed. errors the
   /// renderer's. cost a picture, or nothing if nothing was found.
   Result<bool> show();

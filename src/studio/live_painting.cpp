@@ -32,18 +32,18 @@ void LivePainting::set_importance(float nu, float delta) {
 
 Result<LiveEvent> LivePainting::bucket(const Stroke& stroke, const std::string& folder) {
   const auto since = Clock::now();
-  return follow(canvas_.apply(stroke, folder), since);
+  return follow(canvas_.apply(stroke, folder), Hand::kMoves, since);
 }
 Result<LiveEvent> LivePainting::begin(const Stroke& stroke, const std::string& folder) {
   const auto since = Clock::now();
-  return follow(canvas_.begin_stroke(stroke, folder), since);
+  return follow(canvas_.begin_stroke(stroke, folder), Hand::kMoves, since);
 }
 Result<LiveEvent> LivePainting::extend(std::span<const StrokePoint> points) {
   const auto since = Clock::now();
-  return follow(canvas_.extend_stroke(points), since);
+  return follow(canvas_.extend_stroke(points), Hand::kMoves, since);
 }
 Result<LiveEvent> LivePainting::rest() {
-  return follow(PixelBox{}, Clock::now());
+  return follow(PixelBox{}, Hand::kRests, Clock::now());
 }
 
 /// Another place and size for new lights, now that more is painted: the nearer start wins.
@@ -54,7 +54,7 @@ Result<void> LivePainting::end() {
   return {};
 }
 
-Result<LiveEvent> LivePainting::follow(Result<PixelBox> painted, Clock::time_point since) {
+Result<LiveEvent> LivePainting::follow(Result<PixelBox> painted, Hand hand, Clock::time_point since) {
   if (!painted) return std::move(painted).error();
   LiveEvent event;
   event.paint = lap(since);
@@ -65,7 +65,7 @@ Result<LiveEvent> LivePainting::follow(Result<PixelBox> painted, Clock::time_poi
   event.epsilon = event.epsilon_before;
   if (!solve_) return event;
   since = Clock::now();
-  LUM_TRY(event.more, solve_->run_for(options_.slice));
+  LUM_TRY(event.more, solve_->run_for(options_.slice, hand));
   event.solve = lap(since);
   LUM_TRY(event.changed, solve_->show());
   event.picture = lap(since);

@@ -61,7 +61,7 @@ class LivePainting {
   [[nodiscard]] int pictures() const { return solve_ ? solve_->report().pictures : 0; }
 
  private:
-  Result<LiveEvent> follow(Result<PixelBox> painted, std::chrono::steady_clock::time_point since);
+  Result<LiveEvent> follow(Result<PixelBox> painted, Hand hand, std::chrono::steady_clock::time_point since);
   Result<void> retarget(const PixelBox& box);
   [[nodiscard]] Result<ParamState> lights_from_paint() const;
 

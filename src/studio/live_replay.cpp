@@ -72,9 +72,9 @@ struct Moment {
 };
 
 /// Runs the events through the loop of a window.
-class Hand {
+class HandReplay {
  public:
-  Hand(LivePainting& painting, const StrokeFile& file, const std::string& path)
+  HandReplay(LivePainting& painting, const StrokeFile& file, const std::string& path)
       : painting_(&painting),
         file_(&file),
         folder_(std::filesystem::path(path).parent_path().string()),
@@ -209,7 +209,7 @@ Latency latency_of(std::vector<double> seconds) {
 Result<LiveMeasure> paint_live(LivePainting& painting, const StrokeFile& strokes, const std::string& path,
                                const std::function<bool()>& watch) {
   painting.set_importance(strokes.nu, strokes.delta);
-  Hand hand(painting, strokes, path);
+  HandReplay hand(painting, strokes, path);
   LUM_TRY_VOID(hand.paint(watch));
   if (!painting.has_lights()) {
     return Error{ErrorKind::kNothingToDo, "no stroke says where the new light begins", path, "strokes",

@@ -74,6 +74,22 @@ TEST_F(LiveSolveTest, FollowsAStrokeAndEndsAboutAsNearAsASolveOfTheWholePainting
   EXPECT_LT(solve.report().epsilon, 1.5 * whole.report().epsilon);  // either may end in another local minimum
 }
 
+TEST_F(LiveSolveTest, NoSearchBeginsWhileTheHandMoves) {
+  constexpr std::chrono::minutes kForever{10};
+  LiveSolve solve = live();
+  LUM_ASSERT_OK(bool more, solve.run_for(kForever, Hand::kMoves));
+  EXPECT_TRUE(more);
+  EXPECT_FALSE(solve.report().following);
+  EXPECT_FALSE(solve.report().settled);
+  const double shades = renderer_.work().shades;
+  LUM_ASSERT_OK(more, solve.run_for(kForever, Hand::kMoves));
+  EXPECT_TRUE(more);
+  EXPECT_EQ(renderer_.work().shades, shades) << "it waits for the next target";
+  LUM_ASSERT_OK(more, solve.run_for(kForever, Hand::kRests));
+  EXPECT_FALSE(more);
+  EXPECT_TRUE(solve.report().settled);
+}
+
 TEST_F(LiveSolveTest, ItsPictureNeverGetsWorseWhileThePaintStandsStill) {
   LiveSolve solve = live();
   for (int x = 30; x < kSize; x += 12) {
