@@ -44,10 +44,11 @@ struct Candidate {
   int light = kAllLights;  ///< kAllLights: everything. kNoLights: emission and ambient. i >= 0: light i's term alone
 };
 
-/// Work done since the engine was made. One full picture of L lights on N pixels is N * L of each.
+/// Work done since the engine was made. One full picture of L lights on N pixels is N * L of each: a light that a
+/// picture shades is counted with its shadow map and lookups, whether they were kept or made anew.
 struct WorkCount {
   double shades = 0.0;          ///< a light shaded at a surface point
-  double shadow_queries = 0.0;  ///< a visibility looked up in a map or traced as rays (one per ray)
+  double shadow_queries = 0.0;  ///< a visibility in a picture, or a ray
   double pictures = 0.0;        ///< full pictures
 };
 
