@@ -69,7 +69,8 @@ Verb declare_alternatives(CLI::App& app) {
       ->check(CLI::Range(1.0, 100.0));
   app.add_option("--tries", words->options.tries, "Solves from other lights (default: 8 for each that is wanted)")
       ->check(CLI::Range(1, 10000));
-  app.add_option("--seed", words->options.seed, "Of the places where lights are tried (default: 1)");
+  require_from_zero(
+      *app.add_option("--seed", words->options.seed, "Of the places where lights are tried (default: 1)"));
   declare_seconds(app, words->seconds, "Stops after that time; what was found is written");
   app.add_option("-o,--output", words->output,
                  "Folder for 1, 2... with rig and pictures, contact_sheet.png, report.json")

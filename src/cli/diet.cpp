@@ -66,7 +66,7 @@ Verb declare_diet(CLI::App& app) {
   app.add_option("--breadth", words->options.breadth,
                  "Removals at each size that are tried with everything free (default: 2)")
       ->check(CLI::Range(1, 10000));
-  app.add_option("--seed", words->options.seed, "Of the solves (default: 1)");
+  require_from_zero(*app.add_option("--seed", words->options.seed, "Of the solves (default: 1)"));
   declare_seconds(app, words->seconds, "Stops after that time; the sizes found so far are written");
   app.add_option("-o,--output", words->output,
                  "Folder for N_lights with rig and pictures of each size, contact_sheet.png and report.json")

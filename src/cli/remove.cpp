@@ -64,7 +64,7 @@ Verb declare_remove(CLI::App& app) {
   declare_shot(app, words->shot);
   app.add_option("LIGHT", words->light, "Name of the light that goes")->required();
   declare_lock_words(app, words->locks);
-  app.add_option("--seed", words->options.seed, "Of the random restarts (default: 1)");
+  require_from_zero(*app.add_option("--seed", words->options.seed, "Of the random restarts (default: 1)"));
   declare_seconds(app, words->seconds, "Stops after that time; the best so far is written");
   app.add_option("-o,--output", words->output, "Folder for rig.toml, pictures, contact_sheet.png and report.json")
       ->required();

@@ -63,15 +63,17 @@ Result<int> replay(const Words& words, VerbContext& context) {
     return context.signals.stopped() == 0;
   };
   events.solved = [&](const Solved& solved, const ParamState& state) {
-    if (words.live && !console.json()) return;  // said with the latencies
     const SolveReport& report = solved.report;
     if (console.json()) {
       console.result(solve_to_json(report, state, solved.verdict).dump());
       return;
     }
-    console.result(fmt::format("{}: error {:.5f}, was {:.5f}; {} pictures compared, {:.1f} s; {}", report.solver,
-                               report.epsilon, report.epsilon_start, report.evals, report.seconds,
-                               to_string(report.termination)));
+    const bool said = report.solver == "live";  // with the latencies
+    if (!said) {
+      console.result(fmt::format("{}: error {:.5f}, was {:.5f}; {} pictures compared, {:.1f} s; {}", report.solver,
+                                 report.epsilon, report.epsilon_start, report.evals, report.seconds,
+                                 to_string(report.termination)));
+    }
     if (solved.verdict) console.result(*solved.verdict);
   };
   events.written = [&](const std::filesystem::path& file) {
@@ -95,8 +97,8 @@ Verb declare_replay(CLI::App& app) {
   app.add_option("-o,--output", words->output, "Folder for everything that is written (default: here)");
   app.add_flag("--json", words->json, "Prints one object for each solve");
   CLI::Option* live = app.add_flag("--live", words->live,
-                                   "Paints the strokes before each solve event by event while the lights follow, and "
-                                   "says how long each picture took");
+                                   "Paints the strokes of the last paint action before each solve event by event while "
+                                   "the lights follow, and says how long each picture took");
   app.add_option("--slice-ms", words->slice_ms, "Time for the solver after each event (default: 12)")
       ->check(CLI::Range(1, 10000))
       ->needs(live);

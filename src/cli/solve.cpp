@@ -94,13 +94,11 @@ Result<int> solve(const Words& words, VerbContext& context) {
 
 void declare_solver(CLI::App& app, Words& words) {
   app.add_option("--solver", words.solver, "auto, fast or simplex")->check(CLI::IsMember({"auto", "fast", "simplex"}));
-  app.add_option("--seed", words.options.seed, "Of the random restarts (default: 1)");
+  require_from_zero(*app.add_option("--seed", words.options.seed, "Of the random restarts (default: 1)"));
   CLI::Option* seconds = declare_seconds(app, words.seconds, "Stops after that time; the best so far is written");
-  app.add_option("--evals", words.options.max_evals, "Compares at most so many full pictures")
-      ->check(CLI::PositiveNumber)
-      ->excludes(seconds);
-  require_finite(*app.add_option("--until", words.until, "Stops at that error; status 1 if it is not reached")
-                      ->check(CLI::NonNegativeNumber));
+  require_above_zero(
+      *app.add_option("--evals", words.options.max_evals, "Compares at most so many full pictures")->excludes(seconds));
+  require_from_zero(*app.add_option("--until", words.until, "Stops at that error; status 1 if it is not reached"));
 }
 
 }  // namespace

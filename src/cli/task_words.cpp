@@ -96,15 +96,29 @@ Result<std::unique_ptr<Session>> open_task(Device& device, const Shot& shot, con
 }
 
 CLI::Option* declare_seconds(CLI::App& app, std::optional<double>& seconds, const std::string& doc) {
-  CLI::Option* option = app.add_option("--seconds", seconds, doc)->check(CLI::PositiveNumber);
-  require_finite(*option);
+  CLI::Option* option = app.add_option("--seconds", seconds, doc);
+  require_above_zero(*option);
   return option;
 }
 
-void require_finite(CLI::Option& option) {
+namespace {
+
+void require_number(CLI::Option& option, const char* what, bool (*is_right)(double)) {
   option.check(CLI::Validator(
-      [](const std::string& text) { return parse_number(text) ? "" : fmt::format("\"{}\" is no finite number", text); },
+      [what, is_right](const std::string& text) {
+        const auto number = parse_number(text);
+        return number && is_right(*number) ? "" : fmt::format("\"{}\" is no number {}", text, what);
+      },
       ""));
+}
+
+}  // namespace
+
+void require_above_zero(CLI::Option& option) {
+  require_number(option, "above 0", [](double x) { return x > 0.0; });
+}
+void require_from_zero(CLI::Option& option) {
+  require_number(option, "from 0 on", [](double x) { return x >= 0.0; });
 }
 
 bool Deadline::go_on() const {

@@ -52,8 +52,9 @@ Result<std::unique_ptr<Session>> open_task(Device& device, const Shot& shot, con
                                            VerbContext& context, Diagnostics& diagnostics);
 
 CLI::Option* declare_seconds(CLI::App& app, std::optional<double>& seconds, const std::string& doc);
-/// The checks of CLI11 let "nan" and "inf" through.
-void require_finite(CLI::Option& option);
+/// The checks of CLI11 let "nan" and "inf" through, and "-1" wrap around to a large whole number.
+void require_above_zero(CLI::Option& option);
+void require_from_zero(CLI::Option& option);
 
 /// Whether to go on: false after a stop signal, or after so many seconds from its making.
 class Deadline {

@@ -69,7 +69,7 @@ Result<std::vector<Removed>> Elimination::by_colors(const DietStep& from) {
   std::vector<Removed> all;
   const std::vector<Light>& lights = from.state.rig.lights;
   for (std::size_t i = 0; i < lights.size() && !solves_.stopped(); ++i) {
-    const ParamState free = with_free_lights(without_light(from.state, i));
+    const ParamState free = with_free_lights(without_light(from.state, i), options_.who);
     Removed removed{i, 0.0, {free, {}}};
     LUM_TRY(removed.epsilon_removed, renderer_->error(free, *target_));
     removed.outcome.report.epsilon = removed.epsilon_removed;
@@ -90,6 +90,7 @@ Result<std::vector<Removed>> Elimination::by_colors(const DietStep& from) {
 
 Result<void> Elimination::by_all(const ParamState& from, Removed& removed) {
   const std::string& name = from.rig.lights[removed.light].name;
+  if (!check_free(removed.outcome.state, renderer_->frame())) return {};  // a rig that is all locked only loses lights
   const SolveOptions options{.seed = options_.seed, .restarts = options_.restarts};
   LUM_TRY(removed.outcome, solves_.run(std::move(removed.outcome.state), options, "made up for " + name));
   return {};

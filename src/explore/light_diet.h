@@ -21,6 +21,7 @@ struct DietOptions {
   int breadth = 2;   ///< removals at each size that are tried with all that is free; all of them are with colours only
   int restarts = 0;  ///< of the solve that settles a size
   int fewest = 1;    ///< lights
+  MakeUp who = MakeUp::kUnlockedOrByType;
 };
 
 /// One size of the rig.

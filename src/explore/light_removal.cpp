@@ -7,6 +7,7 @@
 #include "base/files.h"
 #include "explore/locks.h"
 #include "render/metric.h"
+#include "solve/solve_session.h"
 
 namespace luminist {
 namespace {
@@ -52,14 +53,19 @@ double black_error(const Target& target) {
   return picture_error(Image(target.color.width, target.color.height, 3, 0.0F), target, StyleMetric{});
 }
 
-Result<RemovalTask> removal_task(Renderer& renderer, const ParamState& state, const std::string& light) {
+Result<RemovalTask> removal_task(Renderer& renderer, const ParamState& state, const std::string& light, MakeUp who) {
   LUM_TRY(const std::size_t index, find_light(state.rig, light));
   if (state.rig.lights.size() == 1) {
     return Error{ErrorKind::kNothingToDo,
                  fmt::format("\"{}\" is the only light, so no other can make up for it", light), "", "light",
                  "add a light first, or mute this one"};
   }
-  RemovalTask task{with_free_lights(without_light(state, index)), {}, {}};
+  RemovalTask task{with_free_lights(without_light(state, index), who), {}, {}};
+  if (auto free = check_free(task.start, renderer.frame()); !free) {
+    Error error = std::move(free).error();
+    error.hint = "unlock what may make up for the light";
+    return error;
+  }
   task.facts.light = light;
   LUM_TRY(const Image with, renderer.render(state));
   LUM_TRY(const Image without, renderer.render(task.start));

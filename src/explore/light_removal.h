@@ -3,6 +3,7 @@
 #include <string>
 
 #include "base/result.h"
+#include "explore/locks.h"
 #include "render/renderer.h"
 
 namespace luminist {
@@ -36,8 +37,9 @@ struct RemovalTask {
   RemovalFacts facts;
 };
 
-/// errors kUsage for a name that is not in the rig (with the nearest); kNothingToDo for the only light; the renderer's.
-/// cost four pictures.
-Result<RemovalTask> removal_task(Renderer& renderer, const ParamState& state, const std::string& light);
+/// errors kUsage for a name that is not in the rig (with the nearest); kNothingToDo for the only light, and where
+/// everything else is locked; the renderer's. cost four pictures.
+Result<RemovalTask> removal_task(Renderer& renderer, const ParamState& state, const std::string& light,
+                                 MakeUp who = MakeUp::kUnlockedOrByType);
 
 }  // namespace luminist

@@ -14,8 +14,8 @@ bool is_free(const Light& light) {
   return false;
 }
 
-ParamState with_free_lights(ParamState state) {
-  if (std::any_of(state.rig.lights.begin(), state.rig.lights.end(), is_free)) return state;
+ParamState with_free_lights(ParamState state, MakeUp who) {
+  if (who == MakeUp::kUnlocked || std::any_of(state.rig.lights.begin(), state.rig.lights.end(), is_free)) return state;
   for (Light& light : state.rig.lights) {
     for (const ParamSpec& spec : light.params.schema().specs()) {
       for (int k = 0; k < spec.dofs(); ++k) light.params.set_locked(spec.first_dof + k, !spec.solve);

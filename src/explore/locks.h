@@ -9,9 +9,10 @@ namespace luminist {
 /// Whether the solver may turn anything of a light: it shines and a degree of freedom is unlocked.
 bool is_free(const Light& light);
 
-/// What makes up for lights that are gone: everything unlocked; where that is nothing of any light, what the types of
-/// the lights leave to the solver.
-ParamState with_free_lights(ParamState state);
+/// Who makes up for lights that are gone: what is unlocked; or, where that is nothing of any light because nobody has
+/// said what may turn, what the types of the lights leave to the solver.
+enum class MakeUp { kUnlocked, kUnlockedOrByType };
+ParamState with_free_lights(ParamState state, MakeUp who);
 
 /// Of what is unlocked, only the colours of lights stay so; nothing if there are none.
 std::optional<ParamState> with_only_colors_free(ParamState state);

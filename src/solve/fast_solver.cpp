@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/check.h"
+
 namespace luminist {
 namespace {
 
@@ -56,6 +58,7 @@ Result<void> FastSolver::prepare(std::shared_ptr<const EdgeMask> edges) {
   int turning = 0;
   for (const Dof& dof : objective_.map().list()) {
     if (parts_.scaled_by(dof) >= 0) continue;
+    if (start.blocks()[static_cast<std::size_t>(dof.block)]->schema()[dof.param].role == "color") continue;
     if (free_blocks_.empty() || free_blocks_.back() != dof.block) free_blocks_.push_back(dof.block);
     ++turning;
   }
@@ -238,7 +241,7 @@ Result<void> FastSolver::check() {
   const double gained = progress_->report().epsilon_start - progress_->report().epsilon;
   const bool first = round_ == 0 || polishes_ > 0;
   LUM_TRY(const CellPoint here, problems_[outcome_level_].measure(incumbent_->state));
-  const bool better = outcome_ && (first || here.cost - outcome_->cost > kWorthAPicture * gained);
+  const bool better = first || here.cost - outcome_->cost > kWorthAPicture * gained;
   bool polish = false;
   if (better) {
     objective_.recentre(outcome_->state);
@@ -321,6 +324,7 @@ Result<void> FastSolver::run_simplex() {
     LUM_TRY(const CellPoint here, problem.measure(incumbent_->state));
     const int block = free_blocks_[simplex_turn_++ % free_blocks_.size()];
     simplex_ = SampleSimplex::create(problem, here, block, focus_, kSimplexSize);
+    LUM_CHECK(simplex_ != nullptr, "free blocks have something to turn besides colours");
   }
   LUM_TRY(const bool more, simplex_->walk(kSimplexSlice));
   if (more) return {};

@@ -21,7 +21,7 @@ struct GaussNewtonOptions {
 /// Descends from a point. Slopes come of one batch of finite differences, in which a light's parameters evaluate that
 /// light's part alone; colours have exact slopes at no cost and are solved again at every trial. Between two batches
 /// slopes follow what trials have shown, part by part. The un-squared norm is reweighted least squares; bounds are an
-/// active set. Directions are charted anew in every iteration.
+/// active set. Directions are charted anew in every iteration; slopes that follow keep the axes of their batch.
 ///
 /// source: Marquardt 1963; Madsen, Nielsen and Tingleff 2004; for colours Golub and Pereyra 1973; for slopes that
 /// follow Broyden 1965.

@@ -77,7 +77,7 @@ void place_anew(ParamBlock& params, int position, int direction, const Vec3& aim
 }
 
 /// The parameters of one manifest group as they are in `source`, and nothing else of the block free.
-/// Groups with a position or of a single parameter stay: there is nothing to undo in them.
+/// Groups with a position or a direction, or of a single parameter, stay: there is nothing to undo in them.
 ParamState group_reset(const ParamState& alone, const ParamState& source, int block, const std::string& group) {
   ParamState result = alone;
   ParamBlock& params = *result.blocks()[static_cast<std::size_t>(block)];
@@ -177,6 +177,7 @@ void scan_edges(const ParamState& state, const ParamState& alone, int block,
   for (int side = 0; side < 2; ++side) {
     if (params.locked(params.schema()[*shape].first_dof + side)) continue;
     const double half = params.get(*shape, side);
+    const double most = params.schema()[*shape].range_max[static_cast<std::size_t>(side)];
     for (int way = 0; way < kWays; ++way) {
       const double angle = 2.0 * kPi * way / kWays;
       const Vec3 across = static_cast<float>(std::cos(angle)) * right + static_cast<float>(std::sin(angle)) * up;
@@ -185,7 +186,7 @@ void scan_edges(const ParamState& state, const ParamState& alone, int block,
         ParamState variant = state;
         ParamBlock& changed = *variant.blocks()[static_cast<std::size_t>(block)];
         // The other edge stays: half sizes are tangents, so angles add up and tangents do not.
-        const double left = half * (1.0 - share);
+        const double left = std::min(half * (1.0 - share), most);
         const double turn = std::tan(std::atan(half) - std::atan(left));
         changed.set(*shape, side, left);
         changed.set_vec3(*direction, glm::normalize(axis + static_cast<float>(turn) * across));

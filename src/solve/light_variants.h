@@ -16,7 +16,8 @@ struct LightPlaces {
   Vec3 focus{0.0F};         ///< where the picture counts on average
 };
 
-/// `count` variants of a state in which one block's unlocked parameters are others (colours stay: they are solved).
+/// `count` variants of a state in which one block's unlocked parameters are others (colours stay: they are solved, or
+/// descend by themselves).
 ///
 /// If the light has a free position and direction, a third of them stand elsewhere around what it shines on and a third
 /// shine at another place of the picture, with about the same footprint. The others, and the rest of the parameters of

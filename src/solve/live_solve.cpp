@@ -39,6 +39,11 @@ void copy_box(const Target& from, Target& to, const PixelBox& box) {
   }
 }
 
+bool same_values(const ParamState& a, const ParamState& b) {
+  return std::ranges::equal(a.blocks(), b.blocks(),
+                            [](const ParamBlock* left, const ParamBlock* right) { return left->same_values(*right); });
+}
+
 double penalty_of(const ParamState& state, const SceneFrame& frame) {
   const std::vector<const ParamBlock*> blocks = state.blocks();
   return penalty(UnitMap::create(blocks, frame).to_unit(blocks));
@@ -150,6 +155,11 @@ void LiveSolve::Impl::enter(Phase phase) {
   phase_ = problems_.empty() ? Phase::kDone : phase;
   report_.following = phase_ == Phase::kBegin || phase_ == Phase::kDescend;
   report_.settled = phase_ == Phase::kDone;
+  if (!report_.settled) {
+    report_.termination = Termination::kRunning;
+  } else if (report_.termination == Termination::kRunning) {
+    report_.termination = Termination::kConverged;
+  }
 }
 
 Result<void> LiveSolve::Impl::retarget(const Target& target, const PixelBox& changed) {
@@ -181,6 +191,7 @@ void LiveSolve::Impl::offer(ParamState start) {
   descent_.reset();
   session_.reset();
   searches_ = 0;
+  compared_ = false;
   enter(Phase::kBegin);
 }
 
@@ -235,7 +246,9 @@ Result<void> LiveSolve::Impl::search() {
     if (found_) {
       LUM_TRY([[maybe_unused]] const bool nearer, show());
     }
-    LUM_TRY(session_, SolveSession::create(*renderer_, searches_++ == 0 ? best_ : first_, target_, options_, edges_));
+    const ParamState& start = searches_++ == 0 ? best_ : first_;
+    if (same_values(best_, first_)) searches_ = kSearches;  // the second search would be the first again
+    LUM_TRY(session_, SolveSession::create(*renderer_, start, target_, options_, edges_));
     handed_ = std::numeric_limits<double>::infinity();
     return {};
   }
@@ -248,6 +261,7 @@ Result<void> LiveSolve::Impl::search() {
   if (more) return {};
   if (searches_ >= kSearches || session_->report().termination != Termination::kConverged) {
     enter(Phase::kDone);
+    report_.termination = session_->report().termination;
   } else {
     session_.reset();
   }
@@ -255,6 +269,7 @@ Result<void> LiveSolve::Impl::search() {
 }
 
 Result<bool> LiveSolve::Impl::show() {
+  if (problems_.empty()) found_.reset();  // nothing counts any more
   if (!found_) return false;
   ParamState state = std::move(*found_);
   found_.reset();

@@ -19,15 +19,16 @@ struct LiveReport {
   int pictures = 0;                                          ///< drawn, the start's too
   bool following = false;  ///< descending on samples; else the lights are searched for as in any solve
   bool settled = false;    ///< nothing more is found for the present target
+  Termination termination = Termination::kRunning;  ///< of the search that settled it
 };
 
 /// Keeps the best lights for a target that is still being painted, and the picture of them.
 ///
-/// While the hand moves, a descent on some hundred samples follows, first with wide shadows and edges and then with
-/// true ones: each new target is started on from the lights that are shown or, if that is nearer, from what was found
-/// since. Samples stay where they are until the paint has moved a seventh of what the cells stand for; the surface's
-/// edges are looked for once. When the hand rests, a SolveSession goes on from what is shown, with all that a solve can
-/// do, and then one from where the lights began.
+/// While the hand moves, a descent on some hundred samples follows, with wide shadows and edges until it comes to an
+/// end, and from there with true ones until the samples are cut anew: each new target is started on from the lights
+/// that are shown or, if that is nearer, from what was found since. Samples stay where they are until the paint has
+/// moved a seventh of what the cells stand for; the surface's edges are looked for once. When the hand rests, a
+/// SolveSession goes on from what is shown, with all that a solve can do, and then one from where the lights began.
 ///
 /// What is found is drawn by show() and compared with the picture shown, both in full against the present target; the
 /// nearer one stays. So the picture never gets worse while the paint stands still, at the cost of one picture for each

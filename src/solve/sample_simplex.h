@@ -20,7 +20,7 @@ class SampleSimplex {
 
   /// At most so many points. returns false when the walk has ended. errors the renderer's.
   Result<bool> walk(int points);
-  /// The best so far; its cost has the penalty.
+  /// The best so far; the cost of what is not the start has the penalty.
   [[nodiscard]] const CellPoint& best() const { return best_; }
 
  private:

@@ -8,8 +8,16 @@
 
 namespace luminist {
 
+namespace {
+
+MakeUp who_makes_up(const Session& session) {
+  return session.locks_chosen() ? MakeUp::kUnlocked : MakeUp::kUnlockedOrByType;
+}
+
+}  // namespace
+
 Result<RemovalFacts> start_removal(Session& session, const std::string& light, const SolveOptions& options) {
-  LUM_TRY(RemovalTask task, removal_task(*session.stage().renderer, session.state(), light));
+  LUM_TRY(RemovalTask task, removal_task(*session.stage().renderer, session.state(), light, who_makes_up(session)));
   LUM_TRY_VOID(session.start_solve(std::move(task.start), std::move(task.target), options, "Make up for " + light));
   return std::move(task.facts);
 }
@@ -34,7 +42,9 @@ Result<ErrorBudget> parse_budget(const std::string& text) {
 }
 
 Result<Diet> find_diet(Session& session, const DietOptions& options, const ExploreWatch& watch) {
-  return light_diet(*session.stage().renderer, session.state(), options, watch);
+  DietOptions as_locked = options;
+  as_locked.who = who_makes_up(session);
+  return light_diet(*session.stage().renderer, session.state(), as_locked, watch);
 }
 
 Result<void> propose(Session& session, const Alternative& found) {

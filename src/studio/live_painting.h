@@ -58,6 +58,10 @@ class LivePainting {
   [[nodiscard]] const Target& target() const { return canvas_.target(); }
   /// Of a picture of the shot, against the target now. cost O(pixels)
   [[nodiscard]] double error_of(const Image& picture) const;
+  /// kStopped while there is more to gain.
+  [[nodiscard]] Termination termination() const {
+    return solve_ && solve_->report().settled ? solve_->report().termination : Termination::kStopped;
+  }
   [[nodiscard]] int pictures() const { return solve_ ? solve_->report().pictures : 0; }
 
  private:

@@ -89,9 +89,9 @@ class HandReplay {
   }
 
   /// After the last event, until nothing more is found.
-  Result<void> settle(const std::function<bool()>& watch) {
+  Result<void> settle(std::optional<double> seconds, const std::function<bool()>& watch) {
     moments_ = {{since_last(), frames_.back().epsilon}};
-    for (bool more = true; more && watch();) {
+    for (bool more = true; more && watch() && !(seconds && since_last() > *seconds);) {
       LUM_TRY(const LiveEvent rest, painting_->rest());
       clock_ += rest.total();
       look(rest.epsilon);
@@ -207,7 +207,8 @@ Latency latency_of(std::vector<double> seconds) {
 }
 
 Result<LiveMeasure> paint_live(LivePainting& painting, const StrokeFile& strokes, const std::string& path,
-                               const std::function<bool()>& watch) {
+                               std::optional<double> seconds, const std::function<bool()>& watch) {
+  const Image start = painting.picture();
   painting.set_importance(strokes.nu, strokes.delta);
   HandReplay hand(painting, strokes, path);
   LUM_TRY_VOID(hand.paint(watch));
@@ -215,7 +216,7 @@ Result<LiveMeasure> paint_live(LivePainting& painting, const StrokeFile& strokes
     return Error{ErrorKind::kNothingToDo, "no stroke says where the new light begins", path, "strokes",
                  "paint light that is not there yet"};
   }
-  LUM_TRY_VOID(hand.settle(watch));
+  LUM_TRY_VOID(hand.settle(seconds, watch));
   const std::vector<Moment>& moments = hand.moments();
   LiveMeasure measure;
   measure.name = std::filesystem::path(path).filename().string();
@@ -234,6 +235,8 @@ Result<LiveMeasure> paint_live(LivePainting& painting, const StrokeFile& strokes
   measure.stroke_to_improvement = latency_of(hand.improvements());
   measure.settled_95 = reached(moments, measure.epsilon + 0.05 * (measure.epsilon_before - measure.epsilon));
   measure.settled = moments.back().seconds;
+  measure.termination = painting.termination();
+  measure.epsilon_start = painting.error_of(start);
   measure.pictures = painting.pictures();
   return measure;
 }

@@ -2,6 +2,7 @@
 // studio/live_replay.h -- recorded strokes painted again as a hand would, and how long each picture took.
 #include <functional>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -35,20 +36,22 @@ struct LiveMeasure {
   Latency stroke_to_improvement;  ///< ...by 1 % than the one shown when they began; from the end of the stroke
   double settled_95 = 0.0;        ///< from the last event until 95 % of what was still to be gained was gained
   double settled = 0.0;           ///< until nothing more was found
-  double epsilon_before = 0.0;    ///< of the picture shown when the last event came, against the final target
-  double epsilon_event = 0.0;     ///< of the picture that answered the last event
-  double epsilon = 0.0;           ///< at the end
+  Termination termination = Termination::kRunning;
+  double epsilon_start = 0.0;   ///< of the picture before the first event, against the final target
+  double epsilon_before = 0.0;  ///< of the picture shown when the last event came, against the final target
+  double epsilon_event = 0.0;   ///< of the picture that answered the last event
+  double epsilon = 0.0;         ///< at the end
   int pictures = 0;
 };
 
 /// Paints strokes as a hand does: 60 events a second, each with the points of a tablet of 120 Hz, at one picture height
 /// a second along the recorded polylines and a quarter of a second between strokes. The loop is as a window's: an
 /// event waits until the frame before is done, those that wait are taken together. The clock of the hand is reckoned
-/// from the measured times, so nothing sleeps. After the last event slices go on until nothing more is found, or watch
-/// says false.
+/// from the measured times, so nothing sleeps. After the last event slices go on until nothing more is found, for so
+/// many seconds at most, or until watch says false.
 /// errors LivePainting's; kNothingToDo if no stroke says where a new light begins.
 Result<LiveMeasure> paint_live(LivePainting& painting, const StrokeFile& strokes, const std::string& path,
-                               const std::function<bool()>& watch);
+                               std::optional<double> seconds, const std::function<bool()>& watch);
 
 /// {"strokes", "events", "frames", "event_to_picture": {"median", "p95", "max"}, "paint": ..., ...} in seconds.
 nlohmann::json live_to_json(const LiveMeasure& measure);

@@ -21,20 +21,20 @@ std::vector<std::string> added_lights(const LightRig& before, const LightRig& af
 /// What the solve came to, in the words of any other.
 SolveReport report_of(const LiveMeasure& measure) {
   SolveReport report;
-  report.epsilon_start = measure.epsilon_before;
+  report.epsilon_start = measure.epsilon_start;
   report.epsilon = measure.epsilon;
   report.evals = measure.pictures;
   report.seconds = measure.settled;
   report.solver = "live";
-  report.termination = Termination::kConverged;
+  report.termination = measure.termination;
   return report;
 }
 
 }  // namespace
 
 std::size_t ScriptRunner::live_group(std::span<const Action> actions) {
-  constexpr std::array<std::string_view, 7> kPreparing{"add_light",       "lock", "unlock",    "constrain",
-                                                       "set_constraints", "set",  "importance"};
+  constexpr std::array<std::string_view, 9> kPreparing{
+      "add_light", "lock", "unlock", "constrain", "set_constraints", "set", "importance", "mute", "share_shadows"};
   if (actions.empty() || actions.front().verb() != "paint") return 0;
   for (std::size_t i = 1; i < actions.size(); ++i) {
     if (actions[i].verb() == "solve") return i + 1;
@@ -45,11 +45,18 @@ std::size_t ScriptRunner::live_group(std::span<const Action> actions) {
 
 Result<void> ScriptRunner::run_live(std::span<const Action> group, const LiveReplayOptions& options) {
   if (!session_) return run(group.front());  // which says what is missing
-  LUM_TRY(const ScriptStrokes given, strokes_of(group.front()));
+  LUM_TRY(ScriptStrokes given, strokes_of(group.front()));
   LUM_TRY(Canvas canvas, session_->canvas_copy());
   const LightRig before = session_->state().rig;
   // The recorded gestures tell which lights there will be, and what of them is free.
-  for (const Action& action : group.first(group.size() - 1)) LUM_TRY_VOID(run(action));
+  for (const Action& action : group.first(group.size() - 1)) {
+    LUM_TRY_VOID(run(action));
+    if (action.verb() != "importance") continue;
+    LUM_TRY(const auto nu, action.number("nu"));
+    LUM_TRY(const auto delta, action.number("delta"));
+    if (nu) given.strokes.nu = static_cast<float>(*nu);
+    if (delta) given.strokes.delta = static_cast<float>(*delta);
+  }
   const Action& solve = group.back();
   if (events_.started) events_.started(solve.where(), "paint live");
   LivePainting::Options how;
@@ -58,12 +65,15 @@ Result<void> ScriptRunner::run_live(std::span<const Action> group, const LiveRep
   LivePainting painting(session_->stage(), std::move(canvas), session_->state(),
                         added_lights(before, session_->state().rig), how);
   bool stopped = false;
-  LUM_TRY(const LiveMeasure measure, paint_live(painting, given.strokes, given.path, [&] {
-            SolveReport report;
-            report.solver = "live";
-            stopped = stopped || (events_.watch && !events_.watch(report));
-            return !stopped;
-          }));
+  LUM_TRY(const auto seconds, solve.number("seconds"));
+  const auto measured = paint_live(painting, given.strokes, given.path, seconds, [&] {
+    SolveReport report;
+    report.solver = "live";
+    stopped = stopped || (events_.watch && !events_.watch(report));
+    return !stopped;
+  });
+  if (!measured) return stopped ? export_stopped() : std::move(measured).error();
+  const LiveMeasure& measure = *measured;
   const SolveReport report = report_of(measure);
   LUM_TRY(const Target* target, session_->target());
   session_->propose(painting.best(), {how.solve, report, *target, "Accept a live solve"});

@@ -130,6 +130,10 @@ Result<void> run_script(Device& device, const AssetRoots& roots, const fs::path&
                         const std::optional<LiveReplayOptions>& live) {
   std::error_code error;
   const bool is_folder = fs::is_directory(path, error);
+  if (is_folder && !fs::exists(path / "log.jsonl", error)) {
+    return Error{ErrorKind::kMissing, "the folder is no project: it has no log.jsonl", path.string(), "",
+                 "give a NAME.lum"};
+  }
   LUM_TRY(const std::string text, read_file(is_folder ? path / "log.jsonl" : path));
   LUM_TRY_VOID(make_folder(output));
   const fs::path folder = is_folder || path.has_parent_path() ? path.parent_path() : fs::path(".");
@@ -143,6 +147,9 @@ Result<void> run_script(Device& device, const AssetRoots& roots, const fs::path&
   }
   ScriptRunner runner(device, roots, folder, output, events, diagnostics, live ? live->scale : 1.0);
   LUM_TRY(const std::vector<Action> actions, parse_lines(text, path));
+  if (actions.empty()) {
+    return Error{ErrorKind::kNothingToDo, "the script has no action", path.string(), "", "see luminist replay --help"};
+  }
   for (std::size_t i = 0; i < actions.size();) {
     const std::size_t group = live ? ScriptRunner::live_group(std::span(actions).subspan(i)) : 0;
     auto done = group > 0 ? runner.run_live(std::span(actions).subspan(i, group), *live) : runner.run(actions[i]);

@@ -57,6 +57,8 @@ class Session {
   Result<void> set(const std::vector<std::string>& assignments);
   /// returns how many degrees of freedom the pattern names. errors kUsage if none.
   Result<int> set_locked(const std::string& pattern, bool locked);
+  /// Whether anyone has said since the session was opened what may turn.
+  [[nodiscard]] bool locks_chosen() const { return locks_chosen_; }
   /// Locks all other lights unless told otherwise. returns the light's name. errors kNothingToDo without paint that
   /// lightens, kUsage.
   Result<std::string> add_light(const NewLight& wanted);
@@ -144,6 +146,7 @@ class Session {
   std::optional<SolveSession> solve_;
   std::optional<ParamState> proposed_;  ///< found elsewhere
   std::optional<Solved> solved_;
+  bool locks_chosen_ = false;
 };
 
 }  // namespace luminist

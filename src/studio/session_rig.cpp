@@ -41,6 +41,7 @@ Result<int> Session::set_locked(const std::string& pattern, bool locked) {
   const char* verb = locked ? "lock" : "unlock";
   LUM_TRY_VOID(commit_state(fmt::format("{} {}", locked ? "Lock" : "Unlock", pattern),
                             Json{{"do", verb}, {"pattern", pattern}}.dump(), std::move(next)));
+  locks_chosen_ = true;
   return count;
 }
 

@@ -169,6 +169,40 @@ TEST_F(CliTest, ReplaysStrokesLiveAndSaysHowLongThePicturesTook) {
   EXPECT_TRUE(exists("out/ball.lum/log.jsonl"));
 }
 
+TEST_F(CliTest, ALivePaintingIsJudgedByTheImportanceOfTheScript) {
+  const std::string start = R"({"do": "open", "scene": "ball.obj", "size": [64, 48]}
+{"do": "paint", "strokes": "light.json"}
+{"do": "add_light", "name": "key"}
+)";
+  const std::string solve = R"({"do": "mute", "light": "key", "muted": false}
+{"do": "solve", "seed": 1, "max_evals": 40}
+)";
+  const auto epsilon_start = [&](const std::string& script) {
+    write("script.jsonl", script);
+    const Outcome outcome = luminist("replay script.jsonl --live --json -o out");
+    EXPECT_EQ(outcome.status, 0) << outcome.err;
+    return nlohmann::json::parse(outcome.out.substr(0, outcome.out.find('\n')))["epsilon_before"].get<double>();
+  };
+  const double plain = epsilon_start(start + solve);
+  const double all_alike = epsilon_start(start +
+                                         R"({"do": "importance", "nu": 1, "delta": 0})"
+                                         "\n" +
+                                         solve);
+  EXPECT_LT(all_alike, 0.5 * plain) << "most of the picture is not painted and right already";
+  const Outcome outcome = luminist("replay script.jsonl --live -o out");
+  EXPECT_NE(outcome.out.find("event to picture"), std::string::npos) << outcome.out;
+  EXPECT_NE(outcome.out.find("stroke 1"), std::string::npos) << "the verdict is said: " << outcome.out;
+}
+
+TEST_F(CliTest, AScriptThatDoesNothingAndAFolderThatIsNoProjectAreErrors) {
+  write("empty.jsonl", "# nothing\n\n");
+  EXPECT_NE(luminist("replay empty.jsonl -o out").status, 0);
+  std::filesystem::create_directory(folder_.file("plain"));
+  const Outcome outcome = luminist("replay plain -o out");
+  EXPECT_NE(outcome.status, 0);
+  EXPECT_NE(outcome.err.find("no project"), std::string::npos) << outcome.err;
+}
+
 TEST_F(CliTest, RefusesToPaintAProjectLive) {
   write("script.jsonl", kScript);
   ASSERT_EQ(luminist("replay script.jsonl -o out").status, 0);

@@ -129,9 +129,22 @@ TEST_F(DietTest, ALightWithoutShadowsHasNoShadowShare) {
   EXPECT_NEAR(none.facts.shadow_share, 0.0, 1e-6);
 }
 
+TEST_F(DietTest, WhatWasLockedOnPurposeStaysLocked) {
+  for (Light& light : state_.rig.lights) light.params.set_param_locked(-1, true);
+  EXPECT_EQ(error_of(removal_task(renderer_, state_, "key", MakeUp::kUnlocked)).kind, ErrorKind::kNothingToDo);
+  DietOptions as_locked;
+  as_locked.who = MakeUp::kUnlocked;
+  LUM_ASSERT_OK(const Diet diet, light_diet(renderer_, state_, as_locked, {}));
+  for (const DietStep& step : diet.steps) {
+    for (const Light& light : step.state.rig.lights) {
+      EXPECT_TRUE(light.params.same_values(state_.rig.find(light.name)->params)) << light.name;
+    }
+  }
+}
+
 TEST_F(DietTest, WhereEverythingIsLockedTheTypesSayWhatMakesUp) {
   for (Light& light : state_.rig.lights) light.params.set_param_locked(-1, true);
-  const ParamState freed = with_free_lights(state_);
+  const ParamState freed = with_free_lights(state_, MakeUp::kUnlockedOrByType);
   for (const Light& light : freed.rig.lights) {
     for (const ParamSpec& spec : light.params.schema().specs()) {
       for (int k = 0; k < spec.dofs(); ++k) EXPECT_EQ(light.params.locked(spec.first_dof + k), !spec.solve);

@@ -90,6 +90,17 @@ TEST_F(LiveSolveTest, NoSearchBeginsWhileTheHandMoves) {
   EXPECT_TRUE(solve.report().settled);
 }
 
+TEST_F(LiveSolveTest, WhatWasFoundIsDroppedWhenNothingCountsAnyMore) {
+  LiveSolve solve = live();
+  LUM_EXPECT_OK(solve.step());
+  LUM_EXPECT_OK(solve.step());
+  target_.importance = Image(kSize, kSize, 1, 0.0F);
+  LUM_EXPECT_OK(solve.retarget(target_, {0, 0, kSize, kSize}));
+  LUM_ASSERT_OK(const bool changed, solve.show());
+  EXPECT_FALSE(changed);
+  EXPECT_TRUE(solve.report().settled);
+}
+
 TEST_F(LiveSolveTest, ItsPictureNeverGetsWorseWhileThePaintStandsStill) {
   LiveSolve solve = live();
   for (int x = 30; x < kSize; x += 12) {
