@@ -57,10 +57,8 @@ class Session {
   Result<void> set(const std::vector<std::string>& assignments);
   /// returns how many degrees of freedom the pattern names. errors kUsage if none.
   Result<int> set_locked(const std::string& pattern, bool locked);
-  /// Whether anyone has said since the session was opened what may turn.
-  [[nodiscard]] bool locks_chosen() const { return locks_chosen_; }
-  /// Locks all other lights unless told otherwise. returns the light's name. errors kNothingToDo without paint that
-  /// lightens, kUsage.
+  [[nodiscard]] bool locks_chosen() const { return locks_chosen_; }  ///< since the session was opened
+  /// Locks the other lights unless told otherwise. returns its name. errors kNothingToDo without light paint, kUsage.
   Result<std::string> add_light(const NewLight& wanted);
   /// Several at once, one for each kind of paint: by place, colour and strength. returns their names, fewer than count
   /// if there are fewer kinds. errors as above.
