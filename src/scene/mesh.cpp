@@ -53,25 +53,6 @@ std::vector<DVec3> face_normals(const Mesh& mesh) {
   return normals;
 }
 
-/// Vertices at one place share a number: equal up to about a millionth of the mesh's size, because seams and poles are
-/// often written with different roundings.
-std::vector<std::uint32_t> weld(const std::vector<Vec3>& positions) {
-  constexpr double kCells = 1 << 20;
-  Box box;
-  for (const Vec3& p : positions) box.extend(p);
-  const DVec3 size = box.empty() ? DVec3(0.0) : DVec3(box.hi) - DVec3(box.lo);
-  const double cell = std::max({size.x, size.y, size.z}) / kCells;
-  TripleIndex index(positions.size());
-  std::vector<std::uint32_t> welded;
-  welded.reserve(positions.size());
-  for (const Vec3& p : positions) {
-    const DVec3 q = cell > 0.0 ? glm::round((DVec3(p) - DVec3(box.lo)) / cell) : DVec3(0.0);
-    const auto whole = [](double x) { return x >= 0.0 && x <= kCells ? static_cast<std::uint32_t>(x) : 0xffffffffU; };
-    welded.push_back(index.add({whole(q.x), whole(q.y), whole(q.z)}));
-  }
-  return welded;
-}
-
 /// The side of a triangle that starts at corner `corner`, between two welded positions.
 struct Side {
   std::uint32_t lo, hi;
@@ -150,6 +131,23 @@ void split_vertices(Mesh& mesh, GroupOf group_of, OnVertex on_vertex) {
 
 }  // namespace
 
+std::vector<std::uint32_t> places_of(const std::vector<Vec3>& positions) {
+  constexpr double kCells = 1 << 20;
+  Box box;
+  for (const Vec3& p : positions) box.extend(p);
+  const DVec3 size = box.empty() ? DVec3(0.0) : DVec3(box.hi) - DVec3(box.lo);
+  const double cell = std::max({size.x, size.y, size.z}) / kCells;
+  TripleIndex index(positions.size());
+  std::vector<std::uint32_t> places;
+  places.reserve(positions.size());
+  for (const Vec3& p : positions) {
+    const DVec3 q = cell > 0.0 ? glm::round((DVec3(p) - DVec3(box.lo)) / cell) : DVec3(0.0);
+    const auto whole = [](double x) { return x >= 0.0 && x <= kCells ? static_cast<std::uint32_t>(x) : 0xffffffffU; };
+    places.push_back(index.add({whole(q.x), whole(q.y), whole(q.z)}));
+  }
+  return places;
+}
+
 Box Mesh::bounds() const {
   Box box;
   for (const Vec3& p : positions) box.extend(p);
@@ -158,7 +156,7 @@ Box Mesh::bounds() const {
 
 void compute_normals(Mesh& mesh, double crease_angle) {
   const std::vector<DVec3> faces = face_normals(mesh);
-  const std::vector<std::uint32_t> welded = weld(mesh.positions);
+  const std::vector<std::uint32_t> welded = places_of(mesh.positions);
   const auto corners = static_cast<std::uint32_t>(3 * mesh.triangles.size());
   CornerSets sets(corners);
   if (crease_angle >= kPi) {

@@ -20,9 +20,14 @@ struct Mesh {
   [[nodiscard]] Box bounds() const;
 };
 
-/// Fills normals: angle-weighted over the triangles around a place (vertices within a millionth of the mesh's size
-/// count as one), apart where they meet at more than crease_angle (radians; kPi joins all). Triangles without area have
-/// no say. May split vertices; uvs follow, tangents are dropped. cost O(triangles log triangles); kPi: O(triangles).
+/// For every position a number that those at the same place share: equal up to about a millionth of the size of all,
+/// because seams and poles are often written with different roundings. Numbers are dense, in order of appearance.
+/// cost O(positions).
+std::vector<std::uint32_t> places_of(const std::vector<Vec3>& positions);
+
+/// Fills normals: angle-weighted over the triangles around a place (places_of()), apart where they meet at more than
+/// crease_angle (radians; kPi joins all). Triangles without area have no say. May split vertices; uvs follow, tangents
+/// are dropped. cost O(triangles log triangles); kPi: O(triangles).
 void compute_normals(Mesh& mesh, double crease_angle);
 
 /// Fills tangents from uvs and normals (zero-area uv triangles get any tangent). Does nothing without uvs. Splits the
