@@ -25,6 +25,10 @@ float soft_threshold(float threshold, float feather, float x) {
   return ramp_up(threshold - half_width, 2.0 * half_width, x);
 }
 
+// How far dots and strokes have to give way to their mean tone, 0 to 1: the solver compares blurred pictures, and on few
+// samples a pattern would be noise.
+float pattern_fade() { return lum_pattern_fade(); }
+
 // Share of a light that passes a barn door: a superellipse |x/w|^4 + |y/h|^4 = 1 in the plane at distance 1, full
 // inside size, none outside size + edge, smooth along the ray from the centre (Barzel 1997, section 3.2).
 float superellipse(vec2 point, vec2 size, float edge) {

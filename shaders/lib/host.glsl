@@ -1,8 +1,10 @@
 // lib/host.glsl -- what the engine hands to shade(): samples, candidates, softness. Names that begin with lum_ are the
-// host's; a style uses Surface, LightSample, light_count(), light(), ambient(), style and lib/helpers.glsl.
+// host's; a style uses Surface, LightSample, light_count(), light(), ambient(), pixel_size(), style and
+// lib/helpers.glsl.
 
 layout(std140, binding = LUM_FRAME) uniform LumFrame {
-  vec4 eye;            // xyz world
+  mat4 screen_from_world;
+  vec4 eye;            // xyz world, w = 1 / height of the picture in pixels
   float light_edge;    // least edge of a light's own limits, tangent
   float threshold;     // least half width of a style's thresholds
   uint samples;        // samples of one candidate
@@ -11,6 +13,7 @@ layout(std140, binding = LUM_FRAME) uniform LumFrame {
   uint run;            // candidates of one invocation
   uint indexed;        // 1: sample i is entry lum_entries[i] of the surface; 0: entry i
   uint layered;        // 1: lum_layer is added
+  float pattern_fade;  // 1: patterns give way to their mean tone
 } lum_frame;
 
 // The deep framebuffer. position.w and normal.w hold object and material as bits.
@@ -39,6 +42,10 @@ uint lum_sample = 0u;
 
 float lum_light_edge_softness() { return lum_frame.light_edge; }
 float lum_threshold_softness() { return lum_frame.threshold; }
+float lum_pattern_fade() { return lum_frame.pattern_fade; }
+
+// The side of a pixel, in picture heights as Surface.screen.
+float pixel_size() { return lum_frame.eye.w; }
 
 int light_count() { return int(lum_candidate.y); }
 
@@ -48,6 +55,7 @@ Surface lum_surface(uint entry) {
   vec4 albedo = lum_albedos[entry];
   vec3 to_eye = lum_frame.eye.xyz - position.xyz;
   vec3 view = to_eye * inversesqrt(max(dot(to_eye, to_eye), 1e-24));
-  return Surface(position.xyz, normal.xyz, view, albedo.rgb, lum_speculars[entry].rgb, lum_emissives[entry].rgb,
+  vec4 screen = lum_frame.screen_from_world * vec4(position.xyz, 1.0);
+  return Surface(position.xyz, normal.xyz, view, screen.xy / max(screen.w, 1e-12), albedo.rgb, lum_speculars[entry].rgb, lum_emissives[entry].rgb,
                  albedo.a, floatBitsToUint(position.w), floatBitsToUint(normal.w));
 }

@@ -5,6 +5,7 @@ struct Surface {
   vec3 position;
   vec3 normal;      // unit, faces the eye
   vec3 view;        // unit, towards the eye
+  vec2 screen;      // place on the picture, from the upper left corner, in picture heights; y down
   vec3 albedo;      // diffuse reflectance
   vec3 specular;    // reflectance at normal incidence
   vec3 emissive;    // radiance; part of what is left without lights

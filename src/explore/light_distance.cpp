@@ -66,7 +66,7 @@ LightEye::LightEye(Renderer& renderer, const Vec3& focus) : renderer_(&renderer)
 
 Result<std::vector<LightLook>> LightEye::look(const ParamState& state) {
   // In a style that sums its lights a part is evaluated alone; in others it is what muting the light takes away.
-  const bool sums = renderer_->style().lights == LightCombination::kSum;
+  const bool sums = renderer_->style().combination(state.style) == LightCombination::kSum;
   std::vector<std::size_t> free;
   for (std::size_t i = 0; i < state.rig.lights.size(); ++i) {
     if (is_free(state.rig.lights[i])) free.push_back(i);

@@ -107,6 +107,7 @@ Result<void> BatchEvaluator::shade(const SampleSet& samples, const Softness& sof
   job.visibility = &visibility_buffer_.buffer();
   job.colors = &color_buffer_.buffer();
   job.softness = softness;
+  job.from_afar = true;
   LUM_TRY_VOID(relight_->run(job));
   colors_.resize(out.size());
   color_buffer_.buffer().read(0, std::span<Vec4>(colors_));

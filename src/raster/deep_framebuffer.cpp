@@ -42,6 +42,18 @@ std::vector<Vec4> read_centres(const GlBuffer& buffer, std::size_t pixels) {
   return values;
 }
 
+Mat4 picture_from_world(const Camera& camera, int width, int height) {
+  const float aspect = static_cast<float>(width) / static_cast<float>(height);
+  Mat4 screen_from_clip(1.0F);
+  screen_from_clip[0][0] = 0.5F * aspect;
+  screen_from_clip[1][1] = -0.5F;
+  screen_from_clip[3] = Vec4(0.0F);
+  screen_from_clip[3][3] = 1.0F;
+  screen_from_clip[3][0] = 0.5F * aspect;  // times w, which the division takes out again
+  screen_from_clip[3][1] = 0.5F;
+  return screen_from_clip * camera.clip_from_world(aspect);
+}
+
 }  // namespace
 
 Result<DeepFramebuffer> DeepFramebuffer::create(Device& device, const AssetRoots& roots, const MeshBuffers& meshes,
@@ -51,6 +63,7 @@ Result<DeepFramebuffer> DeepFramebuffer::create(Device& device, const AssetRoots
   deep.id_ = device.new_id();
   deep.surface_.width = width;
   deep.surface_.height = height;
+  deep.screen_from_world_ = picture_from_world(camera, width, height);
   LUM_TRY(DeepPasses passes, DeepPasses::create(device, roots, meshes, scene, camera, width, height, band_bytes));
   LUM_TRY(Program edges, load_program(device, roots, "edges.comp"));
   LUM_TRY(Program gather, load_program(device, roots, "gather.comp"));

@@ -54,6 +54,8 @@ class DeepFramebuffer {
   [[nodiscard]] std::size_t edge_count() const { return edge_count_; }  ///< pixels with edge samples
   [[nodiscard]] std::size_t sample_count() const { return pixel_count() + kEdgeSamples * edge_count_; }
   [[nodiscard]] const Vec3& eye() const { return surface_.eye; }
+  /// To homogeneous places on the picture: x to the right, y down from the upper left corner, in picture heights.
+  [[nodiscard]] const Mat4& screen_from_world() const { return screen_from_world_; }
   /// Unique among what its device made; caches compare it.
   [[nodiscard]] std::uint64_t id() const { return id_; }
 
@@ -73,6 +75,7 @@ class DeepFramebuffer {
 
   std::uint64_t id_ = 0;
   std::size_t edge_count_ = 0;
+  Mat4 screen_from_world_{1.0F};
   GlBuffer position_;
   GlBuffer normal_;
   GlBuffer albedo_;

@@ -192,6 +192,12 @@ Result<void> RasterRenderer::Impl::colors_at(const ParamState& state, std::span<
     LUM_TRY_VOID(resolve(still_));
     picture_key_ = std::move(key);
   }
+  if (style_.metric.blur > 0.0F) {
+    LUM_TRY(const Image picture, read_picture());
+    const Image compared = as_compared(picture, style_.metric);
+    for (std::size_t i = 0; i < pixels.size(); ++i) out[i] = compared.rgb(pixels[i]);
+    return {};
+  }
   std::vector<Vec4> colors(deep_->pixel_count());
   picture_.read(0, std::span<Vec4>(colors));
   for (std::size_t i = 0; i < pixels.size(); ++i) out[i] = Vec3(colors[pixels[i]]);
@@ -229,7 +235,7 @@ Result<void> RasterRenderer::Impl::resolve(const GlBuffer& colors) {
 }
 
 Result<void> RasterRenderer::Impl::draw(const ParamState& state, const RenderOptions& options) {
-  if (options.moving && options.shadows && style_.lights == LightCombination::kSum) {
+  if (options.moving && options.shadows && style_.combination(state.style) == LightCombination::kSum) {
     LUM_TRY_VOID(shade_moving(state, *options.moving));
   } else {
     LUM_TRY_VOID(shade(state, options));

@@ -17,6 +17,7 @@ std::size_t run_length(const DeviceInfo& device) {
 
 /// LumFrame of shaders/lib/host.glsl.
 struct FrameBlock {
+  Mat4 screen_from_world{1.0F};
   std::array<float, 4> eye{};
   float light_edge = 0.0F;
   float threshold = 0.0F;
@@ -26,8 +27,10 @@ struct FrameBlock {
   std::uint32_t run = 1;
   std::uint32_t indexed = 0;
   std::uint32_t layered = 0;
+  float pattern_fade = 0.0F;
+  std::array<float, 3> unused{};
 };
-static_assert(sizeof(FrameBlock) == 48, "as std140 lays it out");
+static_assert(sizeof(FrameBlock) == 128, "as std140 lays it out");
 
 std::size_t padded(std::size_t samples) {
   return (samples + kGroup - 1) / kGroup * kGroup;
@@ -44,6 +47,7 @@ Result<void> GrowingBuffer::reserve(Device& device, std::size_t bytes) {
 
 Result<Relight> Relight::create(Device& device, const LightTypes& types, const Style& style, const AssetRoots& roots) {
   Relight relight(device, types);
+  relight.blurs_ = style.metric.blur > 0.0F;
   relight.layout_ = relight_layout(device.info().max_uniform_block_bytes, types, style);
   LUM_TRY(relight.program_, compile_relight(device, relight.layout_, types, style, roots));
   const auto uniform = [&](std::size_t bytes, const std::string& label) {
@@ -64,9 +68,11 @@ Result<void> Relight::upload(const RelightJob& job) {
   const CandidateTable& table = *job.table;
   const Vec3 eye = job.surface->eye();
   FrameBlock frame;
-  frame.eye = {eye.x, eye.y, eye.z, 1.0F};
+  frame.screen_from_world = job.surface->screen_from_world();
+  frame.eye = {eye.x, eye.y, eye.z, 1.0F / static_cast<float>(job.surface->height())};
   frame.light_edge = job.softness.light_edge;
   frame.threshold = job.softness.threshold;
+  frame.pattern_fade = job.from_afar && blurs_ ? 1.0F : 0.0F;
   frame.samples = static_cast<std::uint32_t>(job.samples);
   frame.padded = static_cast<std::uint32_t>(padded(job.samples));
   frame.candidates = static_cast<std::uint32_t>(table.size());

@@ -23,6 +23,7 @@ struct RelightJob {
   const GlBuffer* colors = nullptr;      ///< out vec4 [candidate * samples + sample]
   const GlBuffer* layer = nullptr;       ///< vec4 [sample], added to every candidate; null: nothing
   Softness softness;
+  bool from_afar = false;  ///< where the style's metric blurs, dots and strokes give way to their mean
 };
 
 /// A buffer that grows when more is written than it holds, and is kept otherwise.
@@ -65,6 +66,7 @@ class Relight {
   Device* device_;
   const LightTypes* types_;
   RelightLayout layout_;
+  bool blurs_ = false;  ///< the style's metric
   Program program_;
   GlBuffer frame_;
   GlBuffer ambient_;

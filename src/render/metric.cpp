@@ -37,8 +37,11 @@ double error_of(const Image& picture, const Image& color, const Image& importanc
 double picture_error(const Image& picture, const Target& target, const StyleMetric& metric) {
   check_sizes(picture, target);
   if (metric.blur <= 0.0F) return error_of(picture, target.color, target.importance);
-  const float sigma_px = metric.blur * static_cast<float>(picture.height);
-  return error_of(blurred(picture, sigma_px), blurred(target.color, sigma_px), target.importance);
+  return error_of(as_compared(picture, metric), as_compared(target.color, metric), target.importance);
+}
+
+Image as_compared(const Image& picture, const StyleMetric& metric) {
+  return blurred(picture, metric.blur * static_cast<float>(picture.height));
 }
 
 Image residual_map(const Image& picture, const Target& target) {

@@ -10,6 +10,9 @@ namespace luminist {
 /// Sums in double in row order. returns 0 where the importance sums to 0.
 double picture_error(const Image& picture, const Target& target, const StyleMetric& metric);
 
+/// The picture as the metric compares it: blurred, if it blurs.
+Image as_compared(const Image& picture, const StyleMetric& metric);
+
 /// I_i |T_i - R_i|_2, 1 channel: where the error is.
 Image residual_map(const Image& picture, const Target& target);
 

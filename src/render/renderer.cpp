@@ -1,5 +1,7 @@
 #include "render/renderer.h"
 
+#include "render/metric.h"
+
 #include "base/check.h"
 
 namespace luminist {
@@ -9,7 +11,8 @@ Result<void> Renderer::colors_at(const ParamState& state, std::span<const int> w
   LUM_CHECK(pixels.size() == out.size(), "one colour per pixel");
   ParamState rest = state;
   for (const int light : without) rest.rig.lights[static_cast<std::size_t>(light)].muted = true;
-  LUM_TRY(const Image picture, render(rest));
+  LUM_TRY(Image picture, render(rest));
+  if (style().metric.blur > 0.0F) picture = as_compared(picture, style().metric);
   for (std::size_t i = 0; i < pixels.size(); ++i) out[i] = picture.rgb(pixels[i]);
   return {};
 }

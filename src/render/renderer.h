@@ -79,13 +79,16 @@ class Renderer {
     return error(state, target);
   }
 
-  /// The picture at some pixels, without some of the lights (places in the rig). out [pixels.size()].
+  /// The picture at some pixels, without some of the lights (places in the rig), blurred as the style's metric blurs.
+  /// out [pixels.size()].
   /// Free of work right after an error() of the same state, or of the same lights that do not move. errors render()'s.
   virtual Result<void> colors_at(const ParamState& state, std::span<const int> without,
                                  std::span<const std::uint32_t> pixels, std::span<Vec3> out);
 
   /// Shades samples for a batch of candidates. out [candidates.size() x samples.pixels.size()], candidate-major.
-  /// Light i of every candidate's rig has the same type as in the others. cost one dispatch, one readback.
+  /// Light i of every candidate's rig has the same type as in the others. Where the style's metric blurs, its dots and
+  /// strokes give way to their mean (pattern_fade() of shaders/lib/helpers.glsl): single samples of them are noise.
+  /// cost one dispatch, one readback.
   virtual Result<void> evaluate(std::span<const Candidate> candidates, const SampleSet& samples,
                                 const Softness& softness, std::span<Vec3> out) = 0;
 

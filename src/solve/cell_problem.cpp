@@ -95,7 +95,7 @@ Vec3 part_color(const ParamState& state, const Part& part) {
 
 Result<PictureParts> PictureParts::create(Renderer& renderer, const ParamState& state, const SampleSet& probe) {
   PictureParts result;
-  if (renderer.style().lights == LightCombination::kJoint) {
+  if (renderer.style().combination(state.style) == LightCombination::kJoint) {
     result.parts_.push_back({Candidate::kAllLights, -1, {}});
     return result;
   }

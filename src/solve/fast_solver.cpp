@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/check.h"
+#include "render/metric.h"
 
 namespace luminist {
 namespace {
@@ -43,8 +44,14 @@ Result<std::unique_ptr<FastSolver>> FastSolver::create(Renderer& renderer, const
 
 Result<void> FastSolver::prepare(std::shared_ptr<const EdgeMask> edges) {
   const ParamState& start = progress_->best();
-  const CellSampler sampler(renderer_->surface(), *target_, std::move(edges));
-  levels_ = fast_levels(sampler, renderer_->style().metric.blur, progress_->options().seed);
+  Target blurred;
+  const StyleMetric& metric = renderer_->style().metric;
+  if (metric.blur > 0.0F) {
+    blurred = *target_;
+    blurred.color = as_compared(target_->color, metric);
+  }
+  const CellSampler sampler(renderer_->surface(), metric.blur > 0.0F ? blurred : *target_, std::move(edges));
+  levels_ = fast_levels(sampler, metric.blur, progress_->options().seed);
   LUM_TRY(parts_, PictureParts::create(*renderer_, start, levels_[kScout].cells.samples));
   LUM_TRY(const auto still, shown(start, objective_.moving()));
   for (std::size_t level = 0; level < levels_.size(); ++level) {

@@ -16,11 +16,19 @@ constexpr const char* kManifest = "style.toml";
 constexpr int kMaxGoldenSize = 4096;
 constexpr double kMaxBlur = 0.5;
 
-LightCombination read_lights(TomlReader& read) {
+constexpr const char* kSumWord = "sum";
+
+void read_lights(TomlReader& read, Style& style) {
   const std::string word = read.string("lights", "joint");
-  if (word == "sum") return LightCombination::kSum;
-  if (word != "joint") read.fail("lights", fmt::format("unknown combination \"{}\"", word), "one of sum, joint");
-  return LightCombination::kJoint;
+  if (word == kSumWord) style.lights = LightCombination::kSum;
+  if (word == kSumWord || word == "joint") return;
+  const std::optional<int> param = style.schema->find(word);
+  if (param && std::ranges::count((*style.schema)[*param].choices, kSumWord) > 0) {
+    style.lights_param = *param;
+    return;
+  }
+  read.fail("lights", fmt::format("unknown combination \"{}\"", word),
+            "one of sum, joint, or a parameter of type choice with the word sum");
 }
 
 /// The GLSL file beside the manifest; a mistake is reported where it is named.
@@ -95,6 +103,13 @@ Error unknown_style(const AssetRoots& roots, const std::string& name) {
 
 }  // namespace
 
+LightCombination Style::combination(const ParamBlock& params) const {
+  if (lights_param < 0) return lights;
+  const std::vector<std::string>& choices = (*schema)[lights_param].choices;
+  const auto choice = static_cast<std::size_t>(std::max(0.0, params.get(lights_param)));
+  return choice < choices.size() && choices[choice] == kSumWord ? LightCombination::kSum : LightCombination::kJoint;
+}
+
 Result<Style> load_style(const AssetRoots& roots, const std::string& name) {
   const std::vector<std::string> names = style_names(roots);
   if (std::find(names.begin(), names.end(), name) == names.end()) return unknown_style(roots, name);
@@ -109,13 +124,13 @@ Result<Style> load_style(const AssetRoots& roots, const std::string& name) {
   TomlReader read(document, path, ErrorKind::kStyle);
   style.doc = read.string("doc");
   style.glsl_path = read_shade(read, manifest);
-  style.lights = read_lights(read);
+  LUM_TRY(style.schema, ParamSchema::parse(text, path));
+  read_lights(read, style);
   const TomlValue* metric = read.table("metric");
   const std::span<const TomlValue> golden = read.tables("golden");
   read.tables("param");
   LUM_TRY_VOID(read.finish());
 
-  LUM_TRY(style.schema, ParamSchema::parse(text, path));
   LUM_TRY(style.metric, read_metric(metric, path));
   for (const TomlValue& table : golden) {
     LUM_TRY(GoldenCase one, read_golden(table, style.golden, path));

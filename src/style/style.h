@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/files.h"
+#include "params/param_block.h"
 #include "params/param_schema.h"
 
 namespace luminist {
@@ -39,12 +40,17 @@ struct Style {
   std::string doc;
   std::string glsl_path;  ///< defines `vec3 shade(Surface s)`
   LightCombination lights = LightCombination::kJoint;
+  int lights_param = -1;  ///< the choice that says how lights combine, in place of `lights`; -1: none
   StyleMetric metric;
   std::shared_ptr<const ParamSchema> schema;
   std::vector<GoldenCase> golden;
+
+  /// How lights combine under these values of the style's parameters.
+  [[nodiscard]] LightCombination combination(const ParamBlock& params) const;
 };
 
-/// Reads styles/<name>/style.toml: `doc`, `shade` (the GLSL file), `lights = "sum" | "joint"`, [metric] `blur`,
+/// Reads styles/<name>/style.toml: `doc`, `shade` (the GLSL file), `lights = "sum" | "joint"` or the name
+/// of a [[param]] of type choice, one of whose words is "sum" (any other is joint), [metric] `blur`,
 /// [[param]], [[golden]]. errors kStyle at path:line:col with the nearest valid key; kMissing with the styles there
 /// are.
 Result<Style> load_style(const AssetRoots& roots, const std::string& name);

@@ -36,7 +36,7 @@ bool adds_only_color(const Light& light) {
 
 bool bound_exists(const Renderer& renderer, const ParamState& state) {
   const Style& style = renderer.style();
-  if (style.lights != LightCombination::kSum || style.metric.blur > 0.0F) return false;
+  if (style.combination(state.style) != LightCombination::kSum || style.metric.blur > 0.0F) return false;
   if (any_free(state.rig.ambient) || any_free(state.style)) return false;
   const Light* shared = state.rig.shadow_light.empty() ? nullptr : state.rig.find(state.rig.shadow_light);
   return shared == nullptr || !may_change(state.rig, *shared) || adds_only_color(*shared);

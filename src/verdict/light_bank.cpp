@@ -87,7 +87,7 @@ Result<LightBank> LightBank::create(Renderer& renderer, const ParamState& state,
       if (const auto color = light.params.schema().by_role("color")) light.params.set_vec3(*color, Vec3(1.0F));
     }
   }
-  const bool sum = renderer.style().lights == LightCombination::kSum;
+  const bool sum = renderer.style().combination(state.style) == LightCombination::kSum;
   const int added = static_cast<int>(state.rig.lights.size());
   std::vector<Candidate> batch = {{&states[0], Candidate::kAllLights}};
   for (std::size_t k = 1; k < states.size(); ++k) batch.push_back({&states[k], sum ? added : Candidate::kAllLights});

@@ -39,7 +39,7 @@ int part_of(const Renderer& renderer, const ParamState& state, const Dof& dof) {
   const int light = dof.block - light_block(0);
   const bool of_light = light >= 0 && light < static_cast<int>(state.rig.lights.size());
   const bool shared = of_light && state.rig.shadow_light == state.rig.lights[static_cast<std::size_t>(light)].name;
-  const bool sum = renderer.style().lights == LightCombination::kSum;
+  const bool sum = renderer.style().combination(state.style) == LightCombination::kSum;
   const bool tied = of_light && tied_to(state.rig, static_cast<std::size_t>(light), dof.param).size() > 1;
   return of_light && sum && !shared && !tied ? light : Candidate::kAllLights;
 }

@@ -27,7 +27,10 @@ TEST(ShippedStyles, GiveToonAThresholdAndTwoColours) {
   for (const char* name : {"threshold", "feather", "bright", "dark"}) {
     EXPECT_TRUE(toon.schema->find(name).has_value()) << name;
   }
-  EXPECT_EQ(toon.lights, LightCombination::kSum);
+  ParamBlock params(toon.schema, SceneFrame{});
+  EXPECT_EQ(toon.combination(params), LightCombination::kSum);
+  params.set(*toon.schema->find("combine"), 0, 1.0);  // the strongest wins
+  EXPECT_EQ(toon.combination(params), LightCombination::kJoint);
   // Picture and colours are linear in each other, which the solver may use.
   EXPECT_EQ((*toon.schema)[*toon.schema->find("bright")].role, "color");
   EXPECT_EQ((*toon.schema)[*toon.schema->find("dark")].role, "color");
