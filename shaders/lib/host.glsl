@@ -56,6 +56,6 @@ Surface lum_surface(uint entry) {
   vec3 to_eye = lum_frame.eye.xyz - position.xyz;
   vec3 view = to_eye * inversesqrt(max(dot(to_eye, to_eye), 1e-24));
   vec4 screen = lum_frame.screen_from_world * vec4(position.xyz, 1.0);
-  return Surface(position.xyz, normal.xyz, view, screen.xy / max(screen.w, 1e-12), albedo.rgb, lum_speculars[entry].rgb, lum_emissives[entry].rgb,
-                 albedo.a, floatBitsToUint(position.w), floatBitsToUint(normal.w));
+  return Surface(position.xyz, normal.xyz, view, screen.xy / max(screen.w, 1e-12), albedo.rgb,
+                 lum_speculars[entry].rgb, lum_emissives[entry].rgb, albedo.a, floatBitsToUint(position.w), floatBitsToUint(normal.w));
 }

@@ -47,8 +47,6 @@ Mat4 picture_from_world(const Camera& camera, int width, int height) {
   Mat4 screen_from_clip(1.0F);
   screen_from_clip[0][0] = 0.5F * aspect;
   screen_from_clip[1][1] = -0.5F;
-  screen_from_clip[3] = Vec4(0.0F);
-  screen_from_clip[3][3] = 1.0F;
   screen_from_clip[3][0] = 0.5F * aspect;  // times w, which the division takes out again
   screen_from_clip[3][1] = 0.5F;
   return screen_from_clip * camera.clip_from_world(aspect);

@@ -1,8 +1,7 @@
 #include "render/renderer.h"
 
-#include "render/metric.h"
-
 #include "base/check.h"
+#include "render/metric.h"
 
 namespace luminist {
 

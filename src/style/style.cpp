@@ -15,7 +15,6 @@ constexpr const char* kFolder = "styles";
 constexpr const char* kManifest = "style.toml";
 constexpr int kMaxGoldenSize = 4096;
 constexpr double kMaxBlur = 0.5;
-
 constexpr const char* kSumWord = "sum";
 
 void read_lights(TomlReader& read, Style& style) {
