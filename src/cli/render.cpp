@@ -24,11 +24,12 @@ Result<int> render(const Words& words, VerbContext& context) {
   if (!stage) return std::move(stage).error();
   LUM_TRY(ParamState state, starting_state(**stage, context.roots, shot, "."));
   LUM_TRY_VOID(add_constraints(state.rig, words.shot.constrain, (*stage)->renderer->surface(), (*stage)->bounds));
+  Diagnostics doubts;
+  warn_of_ranges(state, shot.set, (*stage)->frame, doubts);
   if (state.rig.lights.empty()) {
-    Diagnostics dark;
-    dark.warn(shot.scene, "no lights, so only the dim ambient shows; give --rig, or paint and solve");
-    context.console.warn(dark);
+    doubts.warn(shot.scene, "no lights, so only the dim ambient shows; give --rig, or paint and solve");
   }
+  context.console.warn(doubts);
   LUM_TRY(const Image picture, (*stage)->renderer->render(state));
   LUM_TRY_VOID(write_image(words.output, picture));
   context.console.result(words.output);

@@ -30,6 +30,9 @@ TEST_F(CliTest, SetsParametersAndStylesOfAShot) {
   EXPECT_GT(*std::max_element(lit.data.begin(), lit.data.end()), 0.1F);
   EXPECT_EQ(*std::max_element(black.data.begin(), black.data.end()), 0.0F);
   EXPECT_NE(lit.data, toon.data);
+  const Outcome outside = luminist("render ball.obj --size 32x32 --style toon --set style/feather=9 -o wide.exr");
+  EXPECT_EQ(outside.status, 0);
+  EXPECT_NE(outside.err.find("style/feather: 9 is outside the range 0 to 0.5"), std::string::npos) << outside.err;
 }
 
 TEST_F(CliTest, PaintsATargetWithItsImportanceBeside) {
