@@ -62,6 +62,10 @@ std::string name_of(const Scene& scene, std::size_t mesh) {
 }
 
 Result<int> prep(const Words& words, VerbContext& context) {
+  if (!words.output.empty() && !words.output.ends_with(".glb")) {
+    return Error{ErrorKind::kUsage, fmt::format("\"{}\" is no place for a scene", words.output), "", "--output",
+                 "give a file that ends in .glb"};
+  }
   LUM_TRY(const std::string path, find_input(words.scene, ".", context.roots));
   Diagnostics diagnostics;
   auto scene = load_scene(path, {}, diagnostics);

@@ -31,6 +31,8 @@ TEST_F(CliTest, PrepSaysWhatWasWrongWithAMesh) {
   EXPECT_NE(outcome.out.find("1 edge of more than two triangles split"), std::string::npos) << outcome.out;
   EXPECT_NE(outcome.out.find("1 triangle dropped, there twice"), std::string::npos) << outcome.out;
   expect_error(luminist("prep none.obj"), 4);
+  expect_error(luminist("prep broken.obj -o repaired.obj"), 2);
+  EXPECT_FALSE(exists("repaired.obj")) << "a glTF under another name is nothing that anybody reads";
 }
 
 }  // namespace
