@@ -14,6 +14,7 @@ layout(std140, binding = LUM_FRAME) uniform LumFrame {
   uint indexed;        // 1: sample i is entry lum_entries[i] of the surface; 0: entry i
   uint layered;        // 1: lum_layer is added
   float pattern_fade;  // 1: patterns give way to their mean tone
+  uint strokes;        // 1: lum_strokes holds something
 } lum_frame;
 
 // The deep framebuffer. position.w and normal.w hold object and material as bits.
@@ -22,6 +23,8 @@ layout(std430, binding = LUM_NORMAL) readonly buffer LumNormals { vec4 lum_norma
 layout(std430, binding = LUM_ALBEDO) readonly buffer LumAlbedos { vec4 lum_albedos[]; };
 layout(std430, binding = LUM_SPECULAR) readonly buffer LumSpeculars { vec4 lum_speculars[]; };
 layout(std430, binding = LUM_EMISSIVE) readonly buffer LumEmissives { vec4 lum_emissives[]; };
+
+layout(std430, binding = LUM_STROKES) readonly buffer LumStrokes { vec4 lum_strokes[]; };
 
 layout(std430, binding = LUM_ENTRIES) readonly buffer LumEntries { uint lum_entries[]; };
 // [column * samples + sample]
@@ -56,6 +59,8 @@ Surface lum_surface(uint entry) {
   vec3 to_eye = lum_frame.eye.xyz - position.xyz;
   vec3 view = to_eye * inversesqrt(max(dot(to_eye, to_eye), 1e-24));
   vec4 screen = lum_frame.screen_from_world * vec4(position.xyz, 1.0);
+  uint material = floatBitsToUint(normal.w);
   return Surface(position.xyz, normal.xyz, view, screen.xy / max(screen.w, 1e-12), albedo.rgb,
-                 lum_speculars[entry].rgb, lum_emissives[entry].rgb, albedo.a, floatBitsToUint(position.w), floatBitsToUint(normal.w));
+                 lum_speculars[entry].rgb, lum_emissives[entry].rgb, albedo.a, floatBitsToUint(position.w),
+                 material & 0x0FFFFFFFu, lum_frame.strokes != 0u ? lum_strokes[entry] : vec4(0.0), material >> 28u);
 }

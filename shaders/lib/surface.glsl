@@ -12,7 +12,16 @@ struct Surface {
   float roughness;  // GGX alpha = roughness^2
   uint object;      // 1 + index of the scene's object
   uint material;    // 1 + index of the scene's material
+  vec4 stroke;      // xy place on the unwrapped mesh in scene radii, u along the strokes; zw how much u and v change over
+                    // a picture height; zero unless the manifest says strokes = true
+  uint line;        // LINE_SILHOUETTE, ... on a line of the style's, or LINE_NONE
 };
+
+const uint LINE_NONE = 0u;
+const uint LINE_SILHOUETTE = 1u;
+const uint LINE_CREASE = 2u;
+const uint LINE_INTERSECTION = 3u;
+const uint LINE_BORDER = 4u;
 
 // What one light sends to one surface.
 struct LightSample {

@@ -3,6 +3,7 @@ in vec3 world_position;
 in vec3 world_normal;
 in vec2 texture_uv;
 in vec4 world_tangent;
+in vec2 stroke_place;
 
 uniform vec3 eye;
 uniform float side;  // -1 for an object that is mirrored: its triangles wind the other way
@@ -12,6 +13,7 @@ uniform float metallic;
 uniform float roughness;
 uniform vec3 emissive;
 uniform float normal_scale;
+uniform float heights_per_pixel;
 
 layout(binding = 0) uniform sampler2D base_color_texture;
 layout(binding = 1) uniform sampler2D metallic_roughness_texture;
@@ -28,6 +30,7 @@ layout(location = 2) out vec4 out_albedo;
 layout(location = 3) out vec4 out_specular;
 layout(location = 4) out vec4 out_emissive;
 layout(location = 5) out uvec2 out_ids;
+layout(location = 6) out vec4 out_stroke;
 
 const float kDielectric = 0.04;  // reflectance of everything that is no metal (glTF 2.0, appendix B)
 
@@ -70,4 +73,8 @@ void main() {
   out_specular = vec4(mix(vec3(kDielectric), base, metal), 0.0);
   out_emissive = vec4(glow, 0.0);
   out_ids = ids;
+  vec2 across = dFdx(stroke_place);
+  vec2 down = dFdy(stroke_place);
+  out_stroke = vec4(stroke_place, length(vec2(across.x, down.x)), length(vec2(across.y, down.y)));
+  out_stroke.zw /= heights_per_pixel;
 }

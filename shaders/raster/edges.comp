@@ -10,6 +10,13 @@ bool differs(ivec2 texel) {
   for (int k = 1; k <= 4; ++k) {
     if (texelFetch(id_layers, ivec3(texel, k), 0).x != id.x) return true;
   }
+  if (has_lines) {
+    uint line = material_word(ivec3(texel, 0)) >> 28u;
+    for (int k = 1; k <= 4; ++k) {
+      if (material_word(ivec3(texel, k)) >> 28u != line) return true;
+    }
+    if (line != 0u) return false;  // lines are flat
+  }
   if (id.x == 0u) return false;
 
   vec3 normal = texelFetch(normal_layers, ivec3(texel, 0), 0).xyz;

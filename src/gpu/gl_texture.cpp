@@ -96,4 +96,35 @@ Result<GlTexture> GlTexture::create_picture(Device& device, const Image& image, 
   return texture;
 }
 
+Result<GlTexture> GlTexture::create_numbers(Device& device, const Image& image, int levels, const std::string& label) {
+  LUM_CHECK(!image.empty(), "a picture has pixels");
+  int rows = 0;
+  for (int level = 0; level < levels; ++level) rows += image.width >> level;
+  if (levels > 0 && (image.height < rows || image.width >> (levels - 1) < 1)) {
+    return Error{ErrorKind::kBadContent,
+                 fmt::format("{} levels of {} texels and less need {} rows, there are {}", levels, image.width, rows,
+                             image.height),
+                 label, "levels", "give the number of levels that the strip has"};
+  }
+  const int height = levels > 0 ? image.width : image.height;
+  LUM_TRY(GlTexture texture, create(device, GL_TEXTURE_2D, GL_R16, std::max(levels, 1), image.width, height, 0, label));
+  int row = 0;
+  for (int level = 0; level < std::max(levels, 1); ++level) {
+    const int width = image.width >> level;
+    const int count = levels > 0 ? width : image.height;
+    std::vector<float> texels;
+    for (int y = 0; y < count; ++y) {
+      for (int x = 0; x < width; ++x) texels.push_back(image.at(x, row + y, 0));
+    }
+    glTextureSubImage2D(texture.name(), level, 0, 0, width, count, GL_RED, GL_FLOAT, texels.data());
+    row += count;
+  }
+  texture.set(GL_TEXTURE_MIN_FILTER, levels > 0 ? GL_LINEAR_MIPMAP_LINEAR : GL_LINEAR);
+  texture.set(GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  texture.set(GL_TEXTURE_WRAP_S, levels > 0 ? GL_REPEAT : GL_CLAMP_TO_EDGE);
+  texture.set(GL_TEXTURE_WRAP_T, levels > 0 ? GL_REPEAT : GL_CLAMP_TO_EDGE);
+  LUM_TRY_VOID(device.check_errors("fill " + label));
+  return texture;
+}
+
 }  // namespace luminist

@@ -25,6 +25,11 @@ class GlTexture {
   static Result<GlTexture> create_picture(Device& device, const Image& image, bool repeat_u, bool repeat_v,
                                           const std::string& label);
 
+  /// One channel of a picture of numbers, 16 bits a texel. levels > 0: the image is a strip whose upper `width` x
+  /// `width` texels are level 0, those below them, half as wide, level 1, and so on; repeating, trilinear. levels = 0:
+  /// one level, bilinear, clamped. errors kLimit; kBadContent for a strip that is too short.
+  static Result<GlTexture> create_numbers(Device& device, const Image& image, int levels, const std::string& label);
+
   [[nodiscard]] GLuint name() const { return name_.get(); }
   [[nodiscard]] int width() const { return width_; }
   [[nodiscard]] int height() const { return height_; }

@@ -302,34 +302,12 @@ Mesh with_surface(const Mesh& mesh, const WeldedMesh& surface) {
     result.normals.push_back(mesh.normals[v]);
     if (!mesh.uvs.empty()) result.uvs.push_back(mesh.uvs[v]);
     if (!mesh.tangents.empty()) result.tangents.push_back(mesh.tangents[v]);
+    if (!mesh.line_widths.empty()) result.line_widths.push_back(mesh.line_widths[v]);
   }
   for (const Triangle& corners : surface.corners) {
     result.triangles.push_back({*index[corners[0]], *index[corners[1]], *index[corners[2]]});
   }
   return result;
-}
-
-std::vector<Vec3> outline_normals(const Mesh& mesh, const WeldedMesh& surface) {
-  std::vector<glm::dvec3> sums(surface.positions.size(), glm::dvec3(0.0));
-  for (const Triangle& t : surface.triangles) {
-    const std::array<glm::dvec3, 3> p{glm::dvec3(surface.positions[t[0]]), glm::dvec3(surface.positions[t[1]]),
-                                      glm::dvec3(surface.positions[t[2]])};
-    const glm::dvec3 normal = glm::normalize(glm::cross(p[1] - p[0], p[2] - p[0]));
-    for (std::size_t k = 0; k < 3; ++k) {
-      const glm::dvec3 a = glm::normalize(p[(k + 1) % 3] - p[k]);
-      const glm::dvec3 b = glm::normalize(p[(k + 2) % 3] - p[k]);
-      sums[t[k]] += std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b)) * normal;
-    }
-  }
-  std::vector<Vec3> normals = mesh.normals;
-  for (std::size_t f = 0; f < surface.triangles.size(); ++f) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const glm::dvec3& sum = sums[surface.triangles[f][k]];
-      const double length = glm::length(sum);
-      if (length > 1e-9) normals[surface.corners[f][k]] = Vec3(sum / length);
-    }
-  }
-  return normals;
 }
 
 }  // namespace luminist

@@ -48,9 +48,4 @@ Repaired repair(const Mesh& mesh);
 /// back as it was.
 Mesh with_surface(const Mesh& mesh, const WeldedMesh& surface);
 
-/// For every vertex of the mesh the unit normal along which an outline is inflated: that of its place, weighted by the
-/// angles of all triangles around it whatever their shading normals, so that a hull does not tear at hard edges and
-/// seams. A vertex that the surface does not use gets its shading normal. source: Thuermer and Wuethrich 1998.
-std::vector<Vec3> outline_normals(const Mesh& mesh, const WeldedMesh& surface);
-
 }  // namespace luminist

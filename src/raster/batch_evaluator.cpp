@@ -20,12 +20,12 @@ Vec3 finite_or_black(const Vec4& color) {
 }  // namespace
 
 BatchEvaluator::BatchEvaluator(Device& device, Relight& relight, const DeepFramebuffer& surface,
-                               const LightTypes& types, const RayScene& rays)
+                               const SurfaceBuffer& seen, const LightTypes& types, const RayScene& rays)
     : device_(&device),
       relight_(&relight),
       surface_(&surface),
       types_(&types),
-      visibility_(rays, surface.surface()),
+      visibility_(rays, seen),
       table_(relight.make_table()) {}
 
 Result<void> BatchEvaluator::evaluate(std::span<const Candidate> candidates, const SampleSet& samples,

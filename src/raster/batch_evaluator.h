@@ -13,9 +13,9 @@ namespace luminist {
 
 class BatchEvaluator {
  public:
-  /// Everything outlives it.
-  BatchEvaluator(Device& device, Relight& relight, const DeepFramebuffer& surface, const LightTypes& types,
-                 const RayScene& rays);
+  /// Everything outlives it. Rays start at `seen`, which has no lines of a style in it.
+  BatchEvaluator(Device& device, Relight& relight, const DeepFramebuffer& surface, const SurfaceBuffer& seen,
+                 const LightTypes& types, const RayScene& rays);
 
   /// Renderer::evaluate(). Values that are not finite become 0. errors kLimit if one rig has more lights of a type than
   /// the device holds, or memory runs out.

@@ -13,6 +13,8 @@
 namespace luminist {
 namespace {
 
+constexpr std::uint32_t kMaterialBits = 0x0fffffffU;  // of the word that also holds the kind of a line
+
 Result<Program> load_program(Device& device, const AssetRoots& roots, const std::string& name) {
   LUM_TRY(SourceChunk index, load_chunk(roots, "shaders/raster/dispatch.glsl"));
   LUM_TRY(SourceChunk samples, load_chunk(roots, "shaders/raster/deep_samples.glsl"));
@@ -22,7 +24,7 @@ Result<Program> load_program(Device& device, const AssetRoots& roots, const std:
 }
 
 void run_on_band(Device& device, DeepPasses& passes, Program& program, int band, int width) {
-  passes.draw(band);
+  passes.draw(device, band);
   passes.bind();
   passes.set_band(program, band);
   program.dispatch(device, static_cast<std::size_t>(width) * static_cast<std::size_t>(passes.rows(band)));
@@ -56,13 +58,14 @@ Mat4 picture_from_world(const Camera& camera, int width, int height) {
 
 Result<DeepFramebuffer> DeepFramebuffer::create(Device& device, const AssetRoots& roots, const MeshBuffers& meshes,
                                                 const Scene& scene, const Camera& camera, int width, int height,
-                                                std::size_t band_bytes) {
+                                                const DeepExtras& extras, std::size_t band_bytes) {
   DeepFramebuffer deep;
   deep.id_ = device.new_id();
   deep.surface_.width = width;
   deep.surface_.height = height;
   deep.screen_from_world_ = picture_from_world(camera, width, height);
-  LUM_TRY(DeepPasses passes, DeepPasses::create(device, roots, meshes, scene, camera, width, height, band_bytes));
+  LUM_TRY(DeepPasses passes,
+          DeepPasses::create(device, roots, meshes, scene, camera, width, height, extras, band_bytes));
   LUM_TRY(Program edges, load_program(device, roots, "edges.comp"));
   LUM_TRY(Program gather, load_program(device, roots, "gather.comp"));
 
@@ -86,6 +89,11 @@ Result<DeepFramebuffer> DeepFramebuffer::create(Device& device, const AssetRoots
             GlBuffer::create(device, BufferUse::kStorage, deep.sample_count() * sizeof(Vec4), lists[i].second));
     lists[i].first->bind_storage(static_cast<GLuint>(i));
   }
+  if (extras.strokes) {
+    LUM_TRY(deep.stroke_,
+            GlBuffer::create(device, BufferUse::kStorage, deep.sample_count() * sizeof(Vec4), "sample strokes"));
+    deep.stroke_.bind_storage(6);
+  }
   for (int band = passes.band_count() - 1; band >= 0; --band) run_on_band(device, passes, gather, band, width);
   deep.read_surface(scene, camera.position());
   LUM_TRY_VOID(device.check_errors("draw the deep framebuffer"));
@@ -106,7 +114,7 @@ void DeepFramebuffer::read_surface(const Scene& scene, const Vec3& eye) {
     surface_.position.emplace_back(position[i]);
     surface_.object.push_back(std::bit_cast<std::uint32_t>(position[i].w));
     surface_.normal.emplace_back(normal[i]);
-    surface_.material.push_back(std::bit_cast<std::uint32_t>(normal[i].w));
+    surface_.material.push_back(std::bit_cast<std::uint32_t>(normal[i].w) & kMaterialBits);
     surface_.albedo.emplace_back(albedo[i]);
     surface_.roughness.push_back(albedo[i].w);
     surface_.specular.emplace_back(specular[i]);

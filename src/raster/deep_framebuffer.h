@@ -7,6 +7,7 @@
 #include "base/result.h"
 #include "gpu/device.h"
 #include "gpu/gl_buffer.h"
+#include "raster/deep_passes.h"
 #include "raster/mesh_buffers.h"
 #include "render/surface_buffer.h"
 #include "scene/scene.h"
@@ -20,10 +21,14 @@ namespace luminist {
 /// sample_count() samples, and the colour of a pixel is that of its centre, or the mean of its four edge samples.
 ///
 ///   position  xyz world, w = uintBitsToFloat(1 + object index); w = 0: nothing is there and all is zero
-///   normal    xyz unit shading normal that faces the eye, w = uintBitsToFloat(1 + material index)
+///   normal    xyz unit shading normal that faces the eye, w = uintBitsToFloat(1 + material index | line << 28), where
+///   line
+///             is a LINE_... of shaders/lib/surface.glsl
 ///   albedo    rgb diffuse reflectance = base colour * (1 - metallic), w = roughness
 ///   specular  rgb reflectance at normal incidence = mix(0.04, base colour, metallic), w = 0
 ///   emissive  rgb radiance, w = 0
+///   stroke    xy place on the unwrapped mesh, u along the strokes, in scene radii; zw how much u and v change over a
+///             picture height; only where extras ask for it
 ///   edge_of_pixel  uint per pixel: index of its group of four samples, or kNoEdge; group e starts at sample
 ///                  width*height + 4 e
 ///
@@ -46,7 +51,7 @@ class DeepFramebuffer {
   /// for a picture that needs more than band_bytes (about 440 bytes a pixel) to be drawn.
   static Result<DeepFramebuffer> create(Device& device, const AssetRoots& roots, const MeshBuffers& meshes,
                                         const Scene& scene, const Camera& camera, int width, int height,
-                                        std::size_t band_bytes = kBandBytes);
+                                        const DeepExtras& extras = {}, std::size_t band_bytes = kBandBytes);
 
   [[nodiscard]] int width() const { return surface_.width; }
   [[nodiscard]] int height() const { return surface_.height; }
@@ -64,6 +69,7 @@ class DeepFramebuffer {
   [[nodiscard]] const GlBuffer& albedo() const { return albedo_; }
   [[nodiscard]] const GlBuffer& specular() const { return specular_; }
   [[nodiscard]] const GlBuffer& emissive() const { return emissive_; }
+  [[nodiscard]] const GlBuffer& stroke() const { return stroke_; }  ///< its name is 0 where nobody asked for it
   [[nodiscard]] const GlBuffer& edge_of_pixel() const { return edge_of_pixel_; }
 
   /// The pixel centres, on the CPU.
@@ -81,6 +87,7 @@ class DeepFramebuffer {
   GlBuffer albedo_;
   GlBuffer specular_;
   GlBuffer emissive_;
+  GlBuffer stroke_;
   GlBuffer edge_of_pixel_;
   SurfaceBuffer surface_;
 };

@@ -18,13 +18,17 @@ struct TargetFormat {
 };
 
 /// In the order of the outputs of shaders/raster/deep.frag.
-constexpr std::array<TargetFormat, 6> kTargets{{{GL_RGBA32F, 16, "deep position"},
+constexpr std::array<TargetFormat, 7> kTargets{{{GL_RGBA32F, 16, "deep position"},
                                                 {GL_RGBA32F, 16, "deep normal"},
                                                 {GL_RGBA32F, 16, "deep albedo"},
                                                 {GL_RGBA32F, 16, "deep specular"},
                                                 {GL_RGBA32F, 16, "deep emissive"},
-                                                {GL_RG32UI, 8, "deep ids"}}};
+                                                {GL_RG32UI, 8, "deep ids"},
+                                                {GL_RGBA32F, 16, "deep strokes"}}};
 constexpr std::size_t kIdTarget = 5;
+constexpr std::size_t kStrokeTarget = 6;  // the last; only where it is asked for
+constexpr GLuint kLineUnit = 6;           // of shaders/raster/deep_samples.glsl
+constexpr GLuint kStrokeUnit = 7;
 
 std::size_t bytes_per_pixel() {
   std::size_t bytes = 0;
@@ -54,14 +58,6 @@ Camera with_tight_planes(Camera camera, const Box& bounds) {
   return camera;
 }
 
-/// How normals turn with an object: the inverse transpose up to a positive factor, and still right for an object that
-/// is flattened to a plane.
-Mat3 normal_matrix(const Mat3& linear) {
-  const Mat3 cofactors(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
-                       glm::cross(linear[0], linear[1]));
-  return glm::determinant(linear) < 0.0F ? -cofactors : cofactors;
-}
-
 /// Moves the picture so that the sample at `offset` (pixels from the centre; y down) falls on the pixel centre.
 Mat4 shift(const float (&offset)[2], int width, int height) {
   Mat4 moved(1.0F);
@@ -74,7 +70,7 @@ Mat4 shift(const float (&offset)[2], int width, int height) {
 
 Result<DeepPasses> DeepPasses::create(Device& device, const AssetRoots& roots, const MeshBuffers& meshes,
                                       const Scene& scene, const Camera& camera, int width, int height,
-                                      std::size_t band_bytes) {
+                                      const DeepExtras& extras, std::size_t band_bytes) {
   LUM_CHECK(width > 0 && height > 0, "a picture has pixels");
   DeepPasses passes;
   passes.meshes_ = &meshes;
@@ -85,24 +81,36 @@ Result<DeepPasses> DeepPasses::create(Device& device, const AssetRoots& roots, c
   passes.band_rows_ =
       static_cast<int>(std::clamp<std::size_t>(band_bytes / row_bytes, 1, static_cast<std::size_t>(height)));
   const float aspect = static_cast<float>(width) / static_cast<float>(height);
-  passes.clip_from_world_ = with_tight_planes(camera, meshes.bounds()).clip_from_world(aspect);
   passes.eye_ = camera.position();
 
   LUM_TRY(const SourceChunk vertex, load_chunk(roots, "shaders/raster/deep.vert"));
   LUM_TRY(const SourceChunk fragment, load_chunk(roots, "shaders/raster/deep.frag"));
   LUM_TRY(passes.program_, Program::graphics(device, {&vertex, 1}, {&fragment, 1}, "deep framebuffer"));
+  passes.strokes_ = extras.strokes;
+  if (extras.lines) {
+    const int rows = passes.band_rows_ + 2 * kLineMargin;
+    LUM_TRY(passes.lines_,
+            LinePasses::create(device, roots, *extras.lines, scene, camera, width, height, rows, kLayers));
+  }
+  Box bounds = meshes.bounds();
+  if (passes.lines_ && !bounds.empty()) {
+    const Vec3 reach(passes.lines_->reach(glm::distance(bounds.center(), passes.eye_) + bounds.radius()));
+    bounds = {bounds.lo - reach, bounds.hi + reach};
+  }
+  passes.clip_from_world_ = with_tight_planes(camera, bounds).clip_from_world(aspect);
   LUM_TRY_VOID(passes.create_targets(device));
   LUM_TRY_VOID(passes.upload_textures(device));
   return passes;
 }
 
 Result<void> DeepPasses::create_targets(Device& device) {
-  for (const TargetFormat& target : kTargets) {
-    LUM_TRY(GlTexture texture,
-            GlTexture::create_2d_array(device, target.format, width_, band_rows_, kLayers, target.label));
+  const int rows = band_rows_ + 2 * margin();
+  for (std::size_t i = 0; i < (strokes_ ? kTargets.size() : kStrokeTarget); ++i) {
+    const TargetFormat& target = kTargets[i];
+    LUM_TRY(GlTexture texture, GlTexture::create_2d_array(device, target.format, width_, rows, kLayers, target.label));
     targets_.push_back(std::move(texture));
   }
-  LUM_TRY(depth_, GlTexture::create_2d(device, GL_DEPTH_COMPONENT32F, width_, band_rows_, "deep depth"));
+  LUM_TRY(depth_, GlTexture::create_2d(device, GL_DEPTH_COMPONENT32F, width_, rows, "deep depth"));
   for (int layer = 0; layer < kLayers; ++layer) {
     GlFramebuffer framebuffer = GlFramebuffer::create(device, "deep framebuffer");
     for (std::size_t i = 0; i < targets_.size(); ++i) {
@@ -132,7 +140,7 @@ int DeepPasses::rows(int band) const {
   return std::min(band_rows_, height_ - first_row(band));
 }
 
-void DeepPasses::draw(int band) {
+void DeepPasses::draw(Device& device, int band) {
   if (drawn_band_ == band) return;
   drawn_band_ = band;
   glEnable(GL_DEPTH_TEST);
@@ -143,29 +151,39 @@ void DeepPasses::draw(int band) {
   glDisable(GL_BLEND);
   glDisable(GL_SCISSOR_TEST);
   glFrontFace(GL_CCW);
-  meshes_->bind_full();
-  program_.use();
   program_.set("eye", eye_);
   for (int layer = 0; layer < kLayers; ++layer) draw_layer(layer, first_row(band));
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+  if (!lines_) return;
+  bind();
+  set_band(lines_->marking(), band);
+  lines_->mark(device, static_cast<std::size_t>(width_) * static_cast<std::size_t>(rows(band)));
 }
 
 void DeepPasses::draw_layer(int layer, int first_row) {
   const GlFramebuffer& framebuffer = framebuffers_[static_cast<std::size_t>(layer)];
   framebuffer.bind(width_, height_);
   // The viewport is that of the whole picture, so that a band is exactly a part of it.
-  glViewport(0, -first_row, width_, height_);
+  glViewport(0, margin() - first_row, width_, height_);
   const std::array<float, 4> zero{};
   const std::array<GLuint, 4> nothing{};
   const float far_depth = 1.0F;
-  for (std::size_t i = 0; i < kIdTarget; ++i) {
-    glClearNamedFramebufferfv(framebuffer.name(), GL_COLOR, static_cast<GLint>(i), zero.data());
+  for (std::size_t i = 0; i < targets_.size(); ++i) {
+    if (i != kIdTarget) glClearNamedFramebufferfv(framebuffer.name(), GL_COLOR, static_cast<GLint>(i), zero.data());
   }
   glClearNamedFramebufferuiv(framebuffer.name(), GL_COLOR, static_cast<GLint>(kIdTarget), nothing.data());
   glClearNamedFramebufferfv(framebuffer.name(), GL_DEPTH, 0, &far_depth);
 
   const Mat4 moved = layer == 0 ? Mat4(1.0F) : shift(DeepFramebuffer::kEdgeOffsets[layer - 1], width_, height_);
-  program_.set("clip_from_world", moved * clip_from_world_);
+  draw_models(moved * clip_from_world_);
+  if (lines_) lines_->draw(moved * clip_from_world_);
+}
+
+void DeepPasses::draw_models(const Mat4& clip_from_world) {
+  meshes_->bind_full();
+  program_.use();
+  program_.set("clip_from_world", clip_from_world);
+  program_.set("heights_per_pixel", 1.0F / static_cast<float>(height_));
   for (const MeshDraw& draw : meshes_->draws()) {
     const Mat3 linear(draw.world_from_object);
     program_.set("world_from_object", draw.world_from_object);
@@ -196,7 +214,9 @@ void DeepPasses::set_material(const Material& material) {
 }
 
 void DeepPasses::bind() const {
-  for (std::size_t i = 0; i < targets_.size(); ++i) targets_[i].bind(static_cast<GLuint>(i));
+  for (std::size_t i = 0; i < kStrokeTarget; ++i) targets_[i].bind(static_cast<GLuint>(i));
+  if (lines_) lines_->bind(kLineUnit);
+  if (strokes_) targets_[kStrokeTarget].bind(kStrokeUnit);
 }
 
 void DeepPasses::set_band(Program& program, int band) const {
@@ -204,6 +224,9 @@ void DeepPasses::set_band(Program& program, int band) const {
                       static_cast<GLuint>(height_));
   program.set("band_row", static_cast<unsigned>(first_row(band)));
   program.set("band_rows", static_cast<unsigned>(rows(band)));
+  program.set("margin", static_cast<unsigned>(margin()));
+  program.set("has_lines", lines_ ? 1 : 0);
+  program.set("has_strokes", strokes_ ? 1 : 0);
 }
 
 }  // namespace luminist

@@ -78,6 +78,12 @@ MeshRange append_mesh(const Scene& scene, int mesh_index, Lists& lists) {
 
 }  // namespace
 
+Mat3 normal_matrix(const Mat3& linear) {
+  const Mat3 cofactors(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
+                       glm::cross(linear[0], linear[1]));
+  return glm::determinant(linear) < 0.0F ? -cofactors : cofactors;
+}
+
 Result<MeshBuffers> MeshBuffers::create(Device& device, const Scene& scene) {
   Lists lists;
   std::vector<MeshRange> ranges;

@@ -21,6 +21,10 @@ struct MeshDraw {
   Mat4 world_from_object{1.0F};
 };
 
+/// How normals turn with an object: the inverse transpose up to a positive factor, and still right for an object that
+/// is flattened to a plane.
+Mat3 normal_matrix(const Mat3& linear);
+
 /// Every mesh once, however many objects show it. Triangles are stored so that they wind counter-clockwise around their
 /// vertex normals, whichever way the file had them; triangles with an index out of range are left out.
 class MeshBuffers {

@@ -12,6 +12,7 @@
 #include "raster/deep_framebuffer.h"
 #include "raster/mesh_buffers.h"
 #include "raster/metric_pass.h"
+#include "raster/outline_buffers.h"
 #include "raster/relight.h"
 #include "raster/shadow_maps.h"
 #include "rays/ray_scene.h"
@@ -39,7 +40,7 @@ class RasterRenderer::Impl {
   Result<void> evaluate(std::span<const Candidate> candidates, const SampleSet& samples, const Softness& softness,
                         std::span<Vec3> out);
 
-  [[nodiscard]] const SurfaceBuffer& surface() const { return deep_->surface(); }
+  [[nodiscard]] const SurfaceBuffer& surface() const { return ruled_ ? ruled_->surface : deep_->surface(); }
   [[nodiscard]] const SceneFrame& frame() const { return frame_; }
   [[nodiscard]] const Style& style() const { return style_; }
   [[nodiscard]] const WorkCount& work() const { return work_; }
@@ -50,6 +51,19 @@ class RasterRenderer::Impl {
     std::vector<int> lights;
     bool whole = true;
   };
+  /// What a style with lines needs, to draw them again with another width.
+  struct Ruled {
+    SurfaceBuffer surface;  ///< without lines: brushes and rays do not see them
+    Scene scene;            ///< without meshes
+    Camera camera;
+    AssetRoots roots;
+    OutlineBuffers outlines;
+    std::optional<LineSpec> drawn;  ///< empty: none yet
+  };
+  Result<void> prepare_lines(const Scene& scene, const Camera& camera, const AssetRoots& roots);
+  /// The deep framebuffer gets the lines that these values of the style ask for.
+  Result<void> follow_lines(const ParamBlock& style);
+  Result<void> allocate_colors();
   Result<void> update_shadows(const ParamState& state);
   Result<void> shade(const ParamState& state, const RenderOptions& options);
   /// The moving lights over the kept sum of the others.
@@ -68,6 +82,7 @@ class RasterRenderer::Impl {
   SceneFrame frame_;
   MeshBuffers meshes_;
   std::optional<DeepFramebuffer> deep_;
+  std::optional<Ruled> ruled_;  ///< of a style with lines
   std::optional<ShadowMaps> maps_;
   std::optional<Relight> relight_;
   std::optional<CandidateTable> table_;
@@ -86,12 +101,14 @@ class RasterRenderer::Impl {
 
 Result<void> RasterRenderer::Impl::prepare(const Scene& scene, const Camera& camera, const AssetRoots& roots, int width,
                                            int height) {
-  LUM_TRY(deep_, DeepFramebuffer::create(*device_, roots, meshes_, scene, camera, width, height));
+  LUM_TRY(deep_, DeepFramebuffer::create(*device_, roots, meshes_, scene, camera, width, height,
+                                         {.strokes = style_.strokes, .lines = {}}));
+  if (!style_.ink_path.empty()) LUM_TRY_VOID(prepare_lines(scene, camera, roots));
   LUM_TRY(maps_, ShadowMaps::create(*device_, roots, meshes_));
   LUM_TRY(relight_, Relight::create(*device_, *types_, style_, roots));
   table_ = relight_->make_table();
   LUM_TRY(rays_, RayScene::create(scene));
-  batch_.emplace(*device_, *relight_, *deep_, *types_, *rays_);
+  batch_.emplace(*device_, *relight_, *deep_, surface(), *types_, *rays_);
   LUM_TRY(metric_, MetricPass::create(*device_, roots, deep_->pixel_count()));
   std::vector<SourceChunk> chunks;
   for (const char* file : {"shaders/raster/dispatch.glsl", "shaders/raster/resolve.comp"}) {
@@ -103,10 +120,43 @@ Result<void> RasterRenderer::Impl::prepare(const Scene& scene, const Camera& cam
   const auto storage = [&](std::size_t bytes, const char* label) {
     return GlBuffer::create(*device_, BufferUse::kStorage, bytes, label);
   };
-  LUM_TRY(colors_, storage(deep_->sample_count() * sizeof(Vec4), "sample colours"));
+  LUM_TRY_VOID(allocate_colors());
   LUM_TRY(picture_, storage(deep_->pixel_count() * sizeof(Vec4), "picture"));
   LUM_TRY(bad_, storage(sizeof(std::uint32_t), "pixels that are not finite"));
   return device_->check_errors("prepare the renderer");
+}
+
+Result<void> RasterRenderer::Impl::allocate_colors() {
+  LUM_TRY(colors_,
+          GlBuffer::create(*device_, BufferUse::kStorage, deep_->sample_count() * sizeof(Vec4), "sample colours"));
+  still_ = {};
+  still_key_.clear();
+  picture_key_.clear();
+  return {};
+}
+
+Result<void> RasterRenderer::Impl::prepare_lines(const Scene& scene, const Camera& camera, const AssetRoots& roots) {
+  LUM_TRY(OutlineBuffers outlines, OutlineBuffers::create(*device_, scene));
+  Scene without_meshes;
+  without_meshes.materials = scene.materials;
+  without_meshes.textures = scene.textures;
+  without_meshes.objects = scene.objects;
+  ruled_.emplace(Ruled{deep_->surface(), std::move(without_meshes), camera, roots, std::move(outlines), {}});
+  return {};
+}
+
+Result<void> RasterRenderer::Impl::follow_lines(const ParamBlock& style) {
+  if (!ruled_) return {};
+  const LineSpec spec = line_spec(style);
+  if (ruled_->drawn == spec) return {};
+  DeepExtras extras{.strokes = style_.strokes, .lines = {}};
+  if (spec.any()) extras.lines = DeepLines{&ruled_->outlines, spec, frame_};
+  ruled_->drawn.reset();
+  LUM_TRY(deep_, DeepFramebuffer::create(*device_, ruled_->roots, meshes_, ruled_->scene, ruled_->camera,
+                                         deep_->width(), deep_->height(), extras));
+  LUM_TRY_VOID(allocate_colors());
+  ruled_->drawn = spec;
+  return {};
 }
 
 Result<void> RasterRenderer::Impl::run(const ParamState& state, const Layer& layer, bool shadows, const GlBuffer* below,
@@ -181,6 +231,7 @@ Result<void> RasterRenderer::Impl::keep_still(const ParamState& state, const Lay
 Result<void> RasterRenderer::Impl::colors_at(const ParamState& state, std::span<const int> without,
                                              std::span<const std::uint32_t> pixels, std::span<Vec3> out) {
   LUM_CHECK(pixels.size() == out.size(), "one colour per pixel");
+  LUM_TRY_VOID(follow_lines(state.style));
   Layer layer;
   for (const int i : lit_lights({&state, Candidate::kAllLights})) {
     if (std::ranges::find(without, i) == without.end()) layer.lights.push_back(i);
@@ -235,6 +286,7 @@ Result<void> RasterRenderer::Impl::resolve(const GlBuffer& colors) {
 }
 
 Result<void> RasterRenderer::Impl::draw(const ParamState& state, const RenderOptions& options) {
+  LUM_TRY_VOID(follow_lines(state.style));
   if (options.moving && options.shadows && style_.combination(state.style) == LightCombination::kSum) {
     LUM_TRY_VOID(shade_moving(state, *options.moving));
   } else {
@@ -270,6 +322,7 @@ Result<void> RasterRenderer::Impl::evaluate(std::span<const Candidate> candidate
                                             const Softness& softness, std::span<Vec3> out) {
   const double shades = batch_->shades();
   const double queries = batch_->queries();
+  if (!candidates.empty()) LUM_TRY_VOID(follow_lines(candidates.front().state->style));
   LUM_TRY_VOID(batch_->evaluate(candidates, samples, softness, out));
   work_.shades += batch_->shades() - shades;
   work_.shadow_queries += batch_->queries() - queries;

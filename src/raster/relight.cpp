@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/check.h"
+#include "raster/style_texture.h"
 
 namespace luminist {
 namespace {
@@ -28,7 +29,8 @@ struct FrameBlock {
   std::uint32_t indexed = 0;
   std::uint32_t layered = 0;
   float pattern_fade = 0.0F;
-  std::array<float, 3> unused{};
+  std::uint32_t strokes = 0;
+  std::array<float, 2> unused{};
 };
 static_assert(sizeof(FrameBlock) == 128, "as std140 lays it out");
 
@@ -60,6 +62,10 @@ Result<Relight> Relight::create(Device& device, const LightTypes& types, const S
     LUM_TRY(GlBuffer blocks, uniform(relight.layout_.light_types[i].bytes(), types.all()[i].name + " light blocks"));
     relight.light_types_.push_back(std::move(blocks));
   }
+  for (const StyleTexture& texture : style.textures) {
+    LUM_TRY(GlTexture loaded, load_style_texture(device, texture));
+    relight.textures_.push_back(std::move(loaded));
+  }
   LUM_TRY(relight.nothing_, GlBuffer::create(device, BufferUse::kStorage, 16, "nothing"));
   return relight;
 }
@@ -78,6 +84,7 @@ Result<void> Relight::upload(const RelightJob& job) {
   frame.candidates = static_cast<std::uint32_t>(table.size());
   frame.run = static_cast<std::uint32_t>(run_length(device_->info()));
   frame.indexed = job.entries != nullptr ? 1 : 0;
+  frame.strokes = job.surface->stroke().name() != 0 ? 1 : 0;
   frame.layered = job.layer != nullptr ? 1 : 0;
   frame_.write(0, std::span<const FrameBlock>(&frame, 1));
   const auto write = [](GlBuffer& buffer, std::span<const std::byte> bytes) {
@@ -111,6 +118,8 @@ Result<void> Relight::run(const RelightJob& job) {
   candidates_.buffer().bind_storage(binding::kCandidates);
   lights_.buffer().bind_storage(binding::kLights);
   job.colors->bind_storage(binding::kColors);
+  (job.surface->stroke().name() != 0 ? job.surface->stroke() : nothing_).bind_storage(binding::kStrokes);
+  for (std::size_t i = 0; i < textures_.size(); ++i) textures_[i].bind(static_cast<GLuint>(i));
   (job.layer != nullptr ? *job.layer : nothing_).bind_storage(binding::kLayer);
   program_.use();
   const std::size_t run = run_length(device_->info());

@@ -5,6 +5,7 @@
 #include "base/files.h"
 #include "gpu/device.h"
 #include "gpu/gl_buffer.h"
+#include "gpu/gl_texture.h"
 #include "gpu/program.h"
 #include "raster/candidate_table.h"
 #include "raster/deep_framebuffer.h"
@@ -51,7 +52,8 @@ class GrowingBuffer {
 
 class Relight {
  public:
-  /// device and types outlive it. errors of compile_relight(), kLimit.
+  /// device and types outlive it. errors of compile_relight() and
+  /// load_style_texture(), kLimit.
   static Result<Relight> create(Device& device, const LightTypes& types, const Style& style, const AssetRoots& roots);
 
   [[nodiscard]] CandidateTable make_table() const { return CandidateTable(layout_, *types_); }
@@ -72,6 +74,7 @@ class Relight {
   GlBuffer ambient_;
   GlBuffer style_;
   std::vector<GlBuffer> light_types_;
+  std::vector<GlTexture> textures_;  ///< of the style
   GrowingBuffer candidates_{BufferUse::kStorage, "relight candidates"};
   GrowingBuffer lights_{BufferUse::kStorage, "relight lights"};
   GlBuffer nothing_;  ///< bound where a job has no entries or visibility

@@ -38,6 +38,7 @@ SourceChunk bindings_chunk() {
       {"ALBEDO", binding::kAlbedo},   {"SPECULAR", binding::kSpecular},     {"EMISSIVE", binding::kEmissive},
       {"ENTRIES", binding::kEntries}, {"VISIBILITY", binding::kVisibility}, {"CANDIDATES", binding::kCandidates},
       {"LIGHTS", binding::kLights},   {"COLORS", binding::kColors},         {"LAYER", binding::kLayer},
+      {"STROKES", binding::kStrokes},
   };
   std::string text;
   for (const auto& [name, number] : names) text += fmt::format("#define LUM_{} {}\n", name, number);
@@ -88,6 +89,27 @@ SourceChunk lights_chunk(const std::vector<Block>& blocks, const LightTypes& typ
   return {"<generated lights>", text};
 }
 
+SourceChunk textures_chunk(const Style& style) {
+  std::string text;
+  for (std::size_t i = 0; i < style.textures.size(); ++i) {
+    text += fmt::format("layout(binding = {}) uniform sampler2D {};\n", i, style.textures[i].name);
+  }
+  return {"<generated textures>", text};
+}
+
+/// lum_shade(s): the style, with lines over it where it has them. A line's colour is part of what is left without
+/// lights, or multiplies what the lights do there, as far as its author says.
+SourceChunk shading_chunk(const Style& style) {
+  if (style.ink_path.empty()) return {"<generated shading>", "vec3 lum_shade(Surface s) { return shade(s); }\n"};
+  return {"<generated shading>",
+          "vec3 lum_shade(Surface s) {\n"
+          "  if (s.line == LINE_NONE) return shade(s);\n"
+          "  vec4 lum_ink = ink(s);\n"
+          "  vec3 lit = lum_ink.a != 0.0 ? lum_ink.a * lum_ink.rgb * shade(s) : vec3(0.0);\n"
+          "  return lum_candidate.z == LUM_NONE ? lit : lit + (1.0 - lum_ink.a) * lum_ink.rgb;\n"
+          "}\n"};
+}
+
 /// A file outside the asset roots (a style or a light type knows its own path).
 Result<SourceChunk> file_chunk(const std::string& path) {
   LUM_TRY(std::string text, read_file(path));
@@ -120,8 +142,13 @@ Result<std::vector<SourceChunk>> relight_source(const RelightLayout& layout, con
     chunks.push_back(std::move(chunk));
   }
   chunks.push_back(lights_chunk(blocks, types));
-  LUM_TRY(SourceChunk shade, file_chunk(style.glsl_path));
-  chunks.push_back(std::move(shade));
+  chunks.push_back(textures_chunk(style));
+  for (const std::string* path : {&style.glsl_path, &style.ink_path}) {
+    if (path->empty()) continue;
+    LUM_TRY(SourceChunk file, file_chunk(*path));
+    chunks.push_back(std::move(file));
+  }
+  chunks.push_back(shading_chunk(style));
   for (const char* file : {"shaders/raster/dispatch.glsl", kKernelFile}) {
     LUM_TRY(SourceChunk chunk, load_chunk(roots, file));
     chunks.push_back(std::move(chunk));
@@ -135,11 +162,13 @@ Result<Program> compile_relight(Device& device, const RelightLayout& layout, con
   Result<Program> program = Program::compute(device, chunks, "style " + style.name);
   if (program) return program;
   Error error = std::move(program).error();
-  // The two chunks behind the style's file are ours and right, so what is wrong there came out of the style's file.
-  for (std::size_t i = chunks.size() - 2; i < chunks.size(); ++i) {
+  // The three chunks behind the style's files are ours and right, so what is wrong there came out of the last of them.
+  const bool inked = !style.ink_path.empty();
+  for (std::size_t i = chunks.size() - 3; i < chunks.size(); ++i) {
     if (!error.where.starts_with(chunks[i].file + ":")) continue;
-    error.where = style.glsl_path;
-    error.hint = "the file must define `vec3 shade(Surface s)` and close every brace";
+    error.where = inked ? style.ink_path : style.glsl_path;
+    error.hint =
+        fmt::format("the file must define `{}(Surface s)` and close every brace", inked ? "vec4 ink" : "vec3 shade");
   }
   return error;
 }

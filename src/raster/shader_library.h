@@ -30,6 +30,7 @@ inline constexpr GLuint kCandidates = 7;
 inline constexpr GLuint kLights = 8;
 inline constexpr GLuint kColors = 9;
 inline constexpr GLuint kLayer = 10;
+inline constexpr GLuint kStrokes = 11;
 }  // namespace relight_binding
 
 /// Marks "no ambient" of a candidate and "no shadows" of a light; LUM_NONE of the shaders.
@@ -53,7 +54,8 @@ struct RelightLayout {
 RelightLayout relight_layout(std::int64_t max_uniform_block_bytes, const LightTypes& types, const Style& style);
 
 /// The chunks of the relight program: structs generated from the schemas, shaders/lib, one file per light type, the
-/// dispatch over them, the style's file, the kernel. errors kMissing for a file that is not there.
+/// dispatch over them, the style's textures and its files, the kernel. Texture i of the style is unit i. errors
+/// kMissing for a file that is not there.
 Result<std::vector<SourceChunk>> relight_source(const RelightLayout& layout, const LightTypes& types,
                                                 const Style& style, const AssetRoots& roots);
 

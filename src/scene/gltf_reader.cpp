@@ -232,6 +232,13 @@ std::vector<Vector> grouped(const std::vector<float>& numbers) {
   return result;
 }
 
+/// Whether the mesh has vertex colours with an alpha.
+bool has_alpha(const tinygltf::Model& model, const tinygltf::Primitive& primitive) {
+  const auto found = primitive.attributes.find("COLOR_0");
+  return found != primitive.attributes.end() && inside(found->second, model.accessors.size()) &&
+         model.accessors[static_cast<std::size_t>(found->second)].type == TINYGLTF_TYPE_VEC4;
+}
+
 Result<void> GltfReader::read_attributes(const tinygltf::Primitive& primitive, const std::string& field,
                                          Mesh& mesh) const {
   const auto read = [&](const std::string& name, int components) -> Result<std::vector<float>> {
@@ -244,13 +251,21 @@ Result<void> GltfReader::read_attributes(const tinygltf::Primitive& primitive, c
   LUM_TRY(const std::vector<float> normals, read("NORMAL", 3));
   LUM_TRY(const std::vector<float> tangents, read("TANGENT", 4));
   LUM_TRY(const std::vector<float> uvs, read(fmt::format("TEXCOORD_{}", gltf_uv_set(*model_, primitive.material)), 2));
+  std::vector<float> colors;
+  if (has_alpha(*model_, primitive)) {
+    LUM_TRY(colors, read("COLOR_0", 4));
+  }
+  for (std::size_t i = 3; i < colors.size(); i += 4) {
+    mesh.line_widths.push_back(colors[i] > 0.0F ? std::min(colors[i], 1.0F) : 0.0F);
+  }
   mesh.positions = grouped<Vec3>(positions);
   mesh.normals = grouped<Vec3>(normals);
   mesh.tangents = grouped<Vec4>(tangents);
   mesh.uvs = grouped<Vec2>(uvs);
   const std::size_t count = mesh.positions.size();
-  for (const auto& [size, name] : {std::pair(mesh.normals.size(), "NORMAL"), std::pair(mesh.tangents.size(), "TANGENT"),
-                                   std::pair(mesh.uvs.size(), "TEXCOORD")}) {
+  for (const auto& [size, name] :
+       {std::pair(mesh.normals.size(), "NORMAL"), std::pair(mesh.tangents.size(), "TANGENT"),
+        std::pair(mesh.uvs.size(), "TEXCOORD"), std::pair(mesh.line_widths.size(), "COLOR_0")}) {
     if (size != 0 && size != count) {
       return bad(fmt::format("{} values for {} vertices", size, count), field + "." + name);
     }

@@ -142,6 +142,11 @@ int GltfWriter::mesh_index(int mesh, int material) {
     accessors.attributes["POSITION"] = positions;
     if (!from.normals.empty()) accessors.attributes["NORMAL"] = add_vectors(from.normals, TINYGLTF_TYPE_VEC3);
     if (!from.tangents.empty()) accessors.attributes["TANGENT"] = add_vectors(from.tangents, TINYGLTF_TYPE_VEC4);
+    if (!from.line_widths.empty()) {
+      std::vector<Vec4> colors;
+      for (const float width : from.line_widths) colors.emplace_back(1.0F, 1.0F, 1.0F, width);
+      accessors.attributes["COLOR_0"] = add_vectors(colors, TINYGLTF_TYPE_VEC4);
+    }
     if (!from.uvs.empty()) accessors.attributes["TEXCOORD_0"] = add_vectors(from.uvs, TINYGLTF_TYPE_VEC2);
     tinygltf::Accessor indices;
     indices.bufferView = add_view(from.triangles.data(), from.triangles.size() * sizeof(from.triangles[0]),

@@ -123,6 +123,7 @@ void split_vertices(Mesh& mesh, GroupOf group_of, OnVertex on_vertex) {
       if (!mesh.normals.empty()) mesh.normals.push_back(Vec3(mesh.normals[index]));
       if (!mesh.uvs.empty()) mesh.uvs.push_back(Vec2(mesh.uvs[index]));
       if (!mesh.tangents.empty()) mesh.tangents.push_back(Vec4(mesh.tangents[index]));
+      if (!mesh.line_widths.empty()) mesh.line_widths.push_back(float(mesh.line_widths[index]));
       on_vertex(vertex, corner);
     }
     index = vertex;

@@ -8,13 +8,14 @@
 
 namespace luminist {
 
-/// Indexed triangles. normals has the size of positions (always filled after loading); uvs and tangents are empty or
-/// of the same size. Front faces wind counter-clockwise.
+/// Indexed triangles. normals has the size of positions (always filled after loading); uvs, tangents and
+/// line_widths are empty or of the same size. Front faces wind counter-clockwise.
 struct Mesh {
   std::vector<Vec3> positions;
-  std::vector<Vec3> normals;   ///< unit
-  std::vector<Vec2> uvs;       ///< v = 0 at the top row of the texture, as in glTF
-  std::vector<Vec4> tangents;  ///< unit xyz, w = sign of the bitangent, as in glTF
+  std::vector<Vec3> normals;       ///< unit
+  std::vector<Vec2> uvs;           ///< v = 0 at the top row of the texture, as in glTF
+  std::vector<Vec4> tangents;      ///< unit xyz, w = sign of the bitangent, as in glTF
+  std::vector<float> line_widths;  ///< 0 to 1, share of an outline's width there; the alpha of vertex colours
   std::vector<std::array<std::uint32_t, 3>> triangles;
 
   [[nodiscard]] Box bounds() const;
@@ -26,8 +27,8 @@ struct Mesh {
 std::vector<std::uint32_t> places_of(const std::vector<Vec3>& positions);
 
 /// Fills normals: angle-weighted over the triangles around a place (places_of()), apart where they meet at more than
-/// crease_angle (radians; kPi joins all). Triangles without area have no say. May split vertices; uvs follow, tangents
-/// are dropped. cost O(triangles log triangles); kPi: O(triangles).
+/// crease_angle (radians; kPi joins all). Triangles without area have no say. May split vertices; uvs and line widths
+/// follow, tangents are dropped. cost O(triangles log triangles); kPi: O(triangles).
 void compute_normals(Mesh& mesh, double crease_angle);
 
 /// Fills tangents from uvs and normals (zero-area uv triangles get any tangent). Does nothing without uvs. Splits the

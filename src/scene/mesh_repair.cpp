@@ -30,12 +30,14 @@ void drop_unused_vertices(Mesh& mesh) {
     if (!mesh.normals.empty()) mesh.normals[kept] = mesh.normals[i];
     if (!mesh.uvs.empty()) mesh.uvs[kept] = mesh.uvs[i];
     if (!mesh.tangents.empty()) mesh.tangents[kept] = mesh.tangents[i];
+    if (!mesh.line_widths.empty()) mesh.line_widths[kept] = mesh.line_widths[i];
     renamed[i] = kept++;
   }
   mesh.positions.resize(kept);
   if (!mesh.normals.empty()) mesh.normals.resize(kept);
   if (!mesh.uvs.empty()) mesh.uvs.resize(kept);
   if (!mesh.tangents.empty()) mesh.tangents.resize(kept);
+  if (!mesh.line_widths.empty()) mesh.line_widths.resize(kept);
   for (auto& t : mesh.triangles) t = {renamed[t[0]], renamed[t[1]], renamed[t[2]]};
 }
 

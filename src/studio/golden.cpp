@@ -97,7 +97,7 @@ Result<GoldenOutcome> run_golden(Device& device, const AssetRoots& roots, const 
   shot.camera = golden.camera;
   shot.width = golden.width;
   shot.height = golden.height;
-  shot.style = style.name;
+  shot.style = golden.style.empty() ? style.name : fmt::format("{}+{}", golden.style, style.name);
   shot.set = golden.set;
   LUM_TRY(const auto stage, open_stage(device, roots, shot, style.folder, diagnostics));
   LUM_TRY(const ParamState state, starting_state(*stage, roots, shot, style.folder));

@@ -15,6 +15,8 @@ constexpr const char* kFolder = "styles";
 constexpr const char* kManifest = "style.toml";
 constexpr int kMaxGoldenSize = 4096;
 constexpr double kMaxBlur = 0.5;
+constexpr int kMaxLevels = 12;
+constexpr std::size_t kMaxTextures = 8;
 constexpr const char* kSumWord = "sum";
 
 void read_lights(TomlReader& read, Style& style) {
@@ -30,14 +32,50 @@ void read_lights(TomlReader& read, Style& style) {
             "one of sum, joint, or a parameter of type choice with the word sum");
 }
 
-/// The GLSL file beside the manifest; a mistake is reported where it is named.
-std::string read_shade(TomlReader& read, const fs::path& manifest) {
-  const std::string name = read.string("shade");
-  if (name.empty()) return "";
+/// A file beside the manifest, "" where the key is missing; a mistake is reported where the file is named.
+std::string read_beside(TomlReader& read, const fs::path& manifest, std::string_view key) {
+  const std::string name = read.string(key, "");
+  if (name.empty()) return "";  // left out; or no string, which is reported already
   const auto path = resolve_beside(manifest, name);
   if (path) return path->string();
-  read.fail("shade", path.error().what, path.error().hint);
+  read.fail(key, path.error().what, path.error().hint);
   return "";
+}
+
+/// The style's GLSL: `shade`, or `ink` of a style that draws lines over others.
+void read_shaders(TomlReader& read, const fs::path& manifest, Style& style) {
+  style.ink_path = read_beside(read, manifest, "ink");
+  if (!style.ink_path.empty()) return;
+  style.glsl_path = read_beside(read, manifest, "shade");
+  if (style.glsl_path.empty())
+    read.fail("shade", "\"shade\" is missing", "name the GLSL file, as shade = \"style.glsl\"");
+}
+
+bool is_identifier(const std::string& name) {
+  return !name.empty() && name.size() <= 40 && name.front() >= 'a' && name.front() <= 'z' &&
+         std::ranges::all_of(name,
+                             [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; }) &&
+         name.find("__") == std::string::npos && !name.starts_with("lum_") && !name.starts_with("gl_");
+}
+
+Result<StyleTexture> read_texture(const TomlValue& table, const Style& style, const fs::path& manifest) {
+  TomlReader read(table, manifest.string(), ErrorKind::kStyle);
+  StyleTexture texture;
+  texture.name = read.string("name");
+  texture.path = read_beside(read, manifest, "file");
+  texture.levels = read.integer("levels", 0);
+  const auto is_taken = [&](const StyleTexture& other) { return other.name == texture.name; };
+  if (!is_identifier(texture.name)) {
+    read.fail("name", fmt::format("\"{}\" cannot name a texture", texture.name), "use a to z, 0 to 9 and _");
+  } else if (std::ranges::any_of(style.textures, is_taken)) {
+    read.fail("name", fmt::format("two textures are named \"{}\"", texture.name), "rename one of them");
+  }
+  if (texture.path.empty()) read.fail("file", "a texture needs a picture", "name it, as file = \"textures/ink.png\"");
+  if (texture.levels < 0 || texture.levels > kMaxLevels) {
+    read.fail("levels", fmt::format("{} levels are outside 0 to {}", texture.levels, kMaxLevels));
+  }
+  LUM_TRY_VOID(read.finish());
+  return texture;
 }
 
 int read_side(TomlReader& read, std::string_view key) {
@@ -67,10 +105,16 @@ Result<StyleMetric> read_metric(const TomlValue* table, const std::string& path)
   return metric;
 }
 
-Result<GoldenCase> read_golden(const TomlValue& table, const std::vector<GoldenCase>& others, const std::string& path) {
+Result<GoldenCase> read_golden(const TomlValue& table, const Style& style, const std::string& path) {
+  const std::vector<GoldenCase>& others = style.golden;
   TomlReader read(table, path, ErrorKind::kStyle);
   GoldenCase golden;
   golden.name = read.string("name");
+  golden.style = read.string("style", "");
+  if (golden.style.empty() != style.shades()) {
+    read.fail("style", style.shades() ? "a style that shades is seen by itself" : "lines are drawn over a style",
+              style.shades() ? "take the key out" : "name the style below, as style = \"toon\"");
+  }
   golden.scene = read.string("scene");
   golden.rig = read.string("rig", "");
   golden.camera = read.string("camera", "");
@@ -109,7 +153,30 @@ LightCombination Style::combination(const ParamBlock& params) const {
   return choice < choices.size() && choices[choice] == kSumWord ? LightCombination::kSum : LightCombination::kJoint;
 }
 
-Result<Style> load_style(const AssetRoots& roots, const std::string& name) {
+namespace {
+
+Result<void> read_tables(TomlReader& read, Style& style, const fs::path& manifest) {
+  const std::string path = manifest.string();
+  const TomlValue* metric = read.table("metric");
+  const std::span<const TomlValue> golden = read.tables("golden");
+  const std::span<const TomlValue> textures = read.tables("texture");
+  read.tables("param");
+  if (textures.size() > kMaxTextures) read.fail("texture", fmt::format("more than {} textures", kMaxTextures));
+  LUM_TRY_VOID(read.finish());
+  LUM_TRY(style.metric, read_metric(metric, path));
+  for (const TomlValue& table : textures) {
+    LUM_TRY(StyleTexture one, read_texture(table, style, manifest));
+    style.textures.push_back(std::move(one));
+  }
+  for (const TomlValue& table : golden) {
+    LUM_TRY(GoldenCase one, read_golden(table, style, path));
+    style.golden.push_back(std::move(one));
+  }
+  return {};
+}
+
+/// The style of one folder.
+Result<Style> load_folder(const AssetRoots& roots, const std::string& name) {
   const std::vector<std::string> names = style_names(roots);
   if (std::find(names.begin(), names.end(), name) == names.end()) return unknown_style(roots, name);
   LUM_TRY(const fs::path manifest, roots.find(fs::path(kFolder) / name / kManifest));
@@ -122,20 +189,42 @@ Result<Style> load_style(const AssetRoots& roots, const std::string& name) {
   LUM_TRY(const TomlValue document, parse_toml(text, path, ErrorKind::kStyle));
   TomlReader read(document, path, ErrorKind::kStyle);
   style.doc = read.string("doc");
-  style.glsl_path = read_shade(read, manifest);
+  read_shaders(read, manifest, style);
   LUM_TRY(style.schema, ParamSchema::parse(text, path));
   read_lights(read, style);
-  const TomlValue* metric = read.table("metric");
-  const std::span<const TomlValue> golden = read.tables("golden");
-  read.tables("param");
-  LUM_TRY_VOID(read.finish());
-
-  LUM_TRY(style.metric, read_metric(metric, path));
-  for (const TomlValue& table : golden) {
-    LUM_TRY(GoldenCase one, read_golden(table, style.golden, path));
-    style.golden.push_back(std::move(one));
-  }
+  style.strokes = read.boolean("strokes", false);
+  LUM_TRY_VOID(read_tables(read, style, manifest));
   return style;
+}
+
+/// One style with the lines of another.
+Result<Style> stacked(Style below, const Style& lines) {
+  std::vector<ParamSpec> specs = below.schema->specs();
+  specs.insert(specs.end(), lines.schema->specs().begin(), lines.schema->specs().end());
+  LUM_TRY(below.schema, ParamSchema::create(std::move(specs), fmt::format("{}/{}", lines.folder, kManifest)));
+  below.name = fmt::format("{}+{}", below.name, lines.name);
+  below.doc = fmt::format("{} {}", below.doc, lines.doc);
+  below.ink_path = lines.ink_path;
+  below.strokes = below.strokes || lines.strokes;
+  below.textures.insert(below.textures.end(), lines.textures.begin(), lines.textures.end());
+  below.golden.clear();
+  return below;
+}
+
+}  // namespace
+
+Result<Style> load_style(const AssetRoots& roots, const std::string& name) {
+  const std::size_t plus = name.find('+');
+  LUM_TRY(Style style, load_folder(roots, name.substr(0, plus)));
+  if (plus == std::string::npos) return style;
+  LUM_TRY(const Style lines, load_folder(roots, name.substr(plus + 1)));
+  if (!style.shades() || lines.shades()) {
+    return Error{ErrorKind::kUsage,
+                 fmt::format("\"{}\" {}", style.shades() ? lines.name : style.name,
+                             style.shades() ? "draws no lines over another style" : "only draws lines over a style"),
+                 "", "style", "write a style that shades, then one that draws lines, as toon+outline"};
+  }
+  return stacked(std::move(style), lines);
 }
 
 std::vector<std::string> style_names(const AssetRoots& roots) {

@@ -20,9 +20,18 @@ struct StyleMetric {
   float blur = 0.0F;  ///< sigma as a fraction of the picture's height; 0 is plain
 };
 
+/// A picture that the style's GLSL reads as a sampler2D of this name. With levels it is a strip: the tile of `width`
+/// squared texels on top, below it half of that, and so on, which become the levels of detail as they are; it repeats.
+struct StyleTexture {
+  std::string name;
+  std::string path;
+  int levels = 0;  ///< of a strip; 0: an ordinary picture of one level, clamped at its sides
+};
+
 /// One golden picture: a shot, rendered and compared with golden/<name>.exr by two numbers and the reason for them.
 struct GoldenCase {
   std::string name;
+  std::string style;   ///< empty: the style itself; of a style that draws over others, the one below
   std::string scene;   ///< relative to an asset root
   std::string rig;     ///< relative to an asset root; empty for an empty rig
   std::string camera;  ///< empty: the first
@@ -38,7 +47,10 @@ struct Style {
   std::string name;
   std::string folder;
   std::string doc;
-  std::string glsl_path;  ///< defines `vec3 shade(Surface s)`
+  std::string glsl_path;  ///< defines `vec3 shade(Surface s)`; empty for a style that only draws lines
+  std::string ink_path;   ///< defines `vec4 ink(Surface s)`, the colour of lines; empty: there are none
+  bool strokes = false;   ///< shade() reads Surface.stroke, so the meshes are unwrapped
+  std::vector<StyleTexture> textures;
   LightCombination lights = LightCombination::kJoint;
   int lights_param = -1;  ///< the choice that says how lights combine, in place of `lights`; -1: none
   StyleMetric metric;
@@ -47,15 +59,17 @@ struct Style {
 
   /// How lights combine under these values of the style's parameters.
   [[nodiscard]] LightCombination combination(const ParamBlock& params) const;
+  [[nodiscard]] bool shades() const { return !glsl_path.empty(); }  ///< else it needs another below it
 };
 
 /// Reads styles/<name>/style.toml: `doc`, `shade` (the GLSL file), `lights = "sum" | "joint"` or the name
-/// of a [[param]] of type choice, one of whose words is "sum" (any other is joint), [metric] `blur`,
-/// [[param]], [[golden]]. errors kStyle at path:line:col with the nearest valid key; kMissing with the styles there
-/// are.
+/// of a [[param]] of type choice, one of whose words is "sum" (any other is joint), `strokes`, [metric] `blur`,
+/// [[param]], [[texture]], [[golden]]. A manifest with `ink` in place of `shade` draws lines over another style:
+/// "toon+outline" is both, with the parameters of both. errors kStyle at path:line:col with the nearest valid key;
+/// kMissing with the styles there are; kUsage for a stack that is none.
 Result<Style> load_style(const AssetRoots& roots, const std::string& name);
 
-/// The names of all styles, sorted.
+/// The names of all styles, sorted; those that draw lines over others too.
 std::vector<std::string> style_names(const AssetRoots& roots);
 
 }  // namespace luminist

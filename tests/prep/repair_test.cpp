@@ -96,17 +96,13 @@ TEST(Repair, FindsNothingWrongWithASphereAndGivesItBack) {
   EXPECT_EQ(same.normals, good.normals);
 }
 
-TEST(Repair, WeldsSplitNormalsAndInflatesAlongOneNormalForEachCorner) {
+TEST(Repair, WeldsSplitNormals) {
   const Mesh cube = test::box_mesh();
   const Repaired repaired = repair(cube);
   EXPECT_TRUE(repaired.report.was_good());
   EXPECT_EQ(repaired.report.welded, 16U);
   EXPECT_EQ(repaired.surface.positions.size(), 8U);
   EXPECT_NEAR(volume_of(repaired.surface), 8.0, 1e-5);
-  const std::vector<Vec3> outline = outline_normals(cube, repaired.surface);
-  for (std::size_t v = 0; v < cube.positions.size(); ++v) {
-    EXPECT_LT(glm::length(outline[v] - glm::normalize(cube.positions[v])), 1e-5F) << "however its faces are cut";
-  }
 }
 
 TEST(Repair, DropsWhatIsThereTwiceOrHasNoArea) {
@@ -222,7 +218,6 @@ TEST(Repair, AnyHeapOfTrianglesBecomesAManifold) {
     const RepairReport& report = repaired.report;
     EXPECT_EQ(repaired.surface.triangles.size() + report.degenerate + report.duplicate, heap.triangles.size());
     expect_manifold(repaired.surface);
-    for (const Vec3& n : outline_normals(heap, repaired.surface)) EXPECT_TRUE(is_finite(n));
   }
 }
 

@@ -32,8 +32,8 @@ class DeepFramebuffers : public ::testing::Test {
                        std::size_t band_bytes = DeepFramebuffer::kBandBytes) {
     auto meshes = MeshBuffers::create(*device_, scene);
     EXPECT_TRUE(meshes) << meshes.error().message();
-    auto deep =
-        DeepFramebuffer::create(*device_, AssetRoots::standard(), *meshes, scene, camera, width, height, band_bytes);
+    auto deep = DeepFramebuffer::create(*device_, AssetRoots::standard(), *meshes, scene, camera, width, height, {},
+                                        band_bytes);
     EXPECT_TRUE(deep) << deep.error().message();
     return std::move(deep).value();
   }

@@ -18,7 +18,7 @@ TEST(ShippedStyles, AreValid) {
     ASSERT_TRUE(style) << style.error().message();
     EXPECT_EQ(style->name, name);
     EXPECT_FALSE(style->doc.empty());
-    EXPECT_TRUE(std::filesystem::is_regular_file(style->glsl_path));
+    EXPECT_TRUE(std::filesystem::is_regular_file(style->shades() ? style->glsl_path : style->ink_path));
   }
 }
 
@@ -108,7 +108,7 @@ TEST_F(StyleFiles, ReportMistakesAtTheirPlace) {
   const std::string good = kGood;  // 2 lines
   const std::string golden =
       good + "[[golden]]\nname = \"a\"\nscene = \"s\"\nmax_difference = 0\nmean_difference = 0\nreason = \"r\"\n";
-  const std::array<std::array<std::string, 3>, 18> mistakes = {{
+  const std::array<std::array<std::string, 3>, 23> mistakes = {{
       {"shade = \"plain.glsl\"\n", ":1:1", "\"doc\" is missing"},
       {"doc = \"p\"\n", ":1:1", "\"shade\" is missing"},
       {"doc = \"p\"\nshader = \"plain.glsl\"\n", ":2:1", "did you mean \"shade\""},
@@ -130,6 +130,11 @@ TEST_F(StyleFiles, ReportMistakesAtTheirPlace) {
        ":6:18", "cannot be negative"},
       {good + "[[golden]]\nname = \"a\"\nscene = \"s\"\nmax_difference = 0\nmean_difference = 0\nreason = \"\"\n",
        ":8:10", "need a reason"},
+      {"doc = \"p\"\nink = \"gone.glsl\"\n", ":2:7", "\"gone.glsl\", which is not there"},
+      {good + "[[texture]]\nname = \"Grain\"\nfile = \"plain.glsl\"\n", ":4:8", "cannot name a texture"},
+      {good + "[[texture]]\nname = \"grain\"\nfile = \"gone.png\"\n", ":5:8", "which is not there"},
+      {good + "[[texture]]\nname = \"grain\"\nfile = \"plain.glsl\"\nlevels = 13\n", ":6:10", "outside 0 to 12"},
+      {golden + "style = \"toon\"\n", ":9:9", "seen by itself"},
   }};
   const std::string path = (folder_.path() / "styles/plain/style.toml").string();
   for (const auto& [manifest, place, says] : mistakes) {
@@ -139,6 +144,28 @@ TEST_F(StyleFiles, ReportMistakesAtTheirPlace) {
     EXPECT_EQ(error.where, path + place) << error.message();
     EXPECT_NE(error.message().find(says), std::string::npos) << error.message();
   }
+}
+
+TEST_F(StyleFiles, StackLinesOverAStyleThatShades) {
+  LUM_EXPECT_OK(write_file_atomic((folder_.path() / "styles/plain/style.toml").string(), kGood));
+  LUM_EXPECT_OK(make_folder(folder_.path() / "styles/lines"));
+  LUM_EXPECT_OK(write_file_atomic((folder_.path() / "styles/lines/lines.glsl").string(), ""));
+  const std::string manifest = (folder_.path() / "styles/lines/style.toml").string();
+  const std::string lines =
+      "doc = \"l\"\nink = \"lines.glsl\"\n[[param]]\nname = \"line_width\"\ntype = \"float\"\n"
+      "default = 1.0\nrange = [0, 2]\ndoc = \"w\"\n";
+  LUM_EXPECT_OK(write_file_atomic(manifest, lines));
+  LUM_ASSERT_OK(const Style plain, load("plain"));
+  LUM_ASSERT_OK(const Style both, load("plain+lines"));
+  EXPECT_EQ(both.name, "plain+lines");
+  EXPECT_EQ(both.glsl_path, plain.glsl_path);
+  EXPECT_FALSE(both.ink_path.empty());
+  EXPECT_EQ(both.schema->size(), plain.schema->size() + 1);
+  LUM_ASSERT_OK(const Style alone, load("lines"));
+  EXPECT_FALSE(alone.shades());
+  EXPECT_EQ(error_of(load("lines+plain")).kind, ErrorKind::kUsage);
+  EXPECT_EQ(error_of(load("plain+plain")).kind, ErrorKind::kUsage);
+  EXPECT_EQ(error_of(load("plain+lin")).kind, ErrorKind::kMissing);
 }
 
 TEST_F(StyleFiles, AreNamedWhereOneIsMissed) {

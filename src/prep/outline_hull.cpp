@@ -1,0 +1,203 @@
+#include "prep/outline_hull.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <tuple>
+#include <utility>
+
+#include "prep/repair.h"
+
+namespace luminist {
+namespace {
+
+using Triangle = std::array<std::uint32_t, 3>;
+using DVec3 = glm::dvec3;
+
+DVec3 face_normal(const WeldedMesh& surface, const Triangle& t) {
+  const DVec3 a(surface.positions[t[0]]);
+  return glm::normalize(glm::cross(DVec3(surface.positions[t[1]]) - a, DVec3(surface.positions[t[2]]) - a));
+}
+
+double corner_angle(const WeldedMesh& surface, const Triangle& t, std::size_t k) {
+  const DVec3 p(surface.positions[t[k]]);
+  const DVec3 a = DVec3(surface.positions[t[(k + 1) % 3]]) - p;
+  const DVec3 b = DVec3(surface.positions[t[(k + 2) % 3]]) - p;
+  return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
+}
+
+/// Unit, or zero where the sum has no direction.
+DVec3 unit(const DVec3& sum) {
+  const double length = glm::length(sum);
+  return length > 1e-9 ? sum / length : DVec3(0.0);
+}
+
+/// A unit direction made so long that it moves by 1 along the one of its neighbours that it follows least.
+Vec3 mitred(const DVec3& direction, double least_cosine) {
+  return Vec3(direction / std::max(least_cosine, 1.0 / static_cast<double>(OutlineHull::kLongest)));
+}
+
+std::vector<Vec3> hull_directions(const WeldedMesh& surface) {
+  std::vector<DVec3> sums(surface.positions.size(), DVec3(0.0));
+  for (const Triangle& t : surface.triangles) {
+    const DVec3 normal = face_normal(surface, t);
+    for (std::size_t k = 0; k < 3; ++k) sums[t[k]] += corner_angle(surface, t, k) * normal;
+  }
+  for (DVec3& sum : sums) sum = unit(sum);
+  std::vector<double> least(sums.size(), 1.0);
+  for (const Triangle& t : surface.triangles) {
+    const DVec3 normal = face_normal(surface, t);
+    for (const std::uint32_t v : t) least[v] = std::min(least[v], glm::dot(sums[v], normal));
+  }
+  std::vector<Vec3> directions(sums.size());
+  for (std::size_t v = 0; v < sums.size(); ++v) directions[v] = mitred(sums[v], least[v]);
+  return directions;
+}
+
+std::vector<float> hull_widths(const Mesh& mesh, const WeldedMesh& surface) {
+  std::vector<float> widths(surface.positions.size(), 1.0F);
+  if (mesh.line_widths.empty()) return widths;
+  for (std::size_t f = 0; f < surface.triangles.size(); ++f) {
+    for (std::size_t k = 0; k < 3; ++k) widths[surface.triangles[f][k]] = mesh.line_widths[surface.corners[f][k]];
+  }
+  return widths;
+}
+
+/// A side that only one triangle has, and the direction away from that triangle in its plane.
+struct OpenSide {
+  std::uint32_t from = 0;
+  std::uint32_t to = 0;
+  DVec3 outward{0.0};
+};
+
+/// One triangle's side; those of one edge are next to each other when sorted.
+struct Side {
+  std::uint32_t low = 0;
+  std::uint32_t high = 0;
+  std::uint32_t face = 0;
+  std::uint32_t from = 0;
+  bool operator<(const Side& other) const {
+    return std::tie(low, high, face) < std::tie(other.low, other.high, other.face);
+  }
+};
+
+std::vector<Side> sorted_sides(const WeldedMesh& surface) {
+  std::vector<Side> sides;
+  sides.reserve(3 * surface.triangles.size());
+  for (std::uint32_t f = 0; f < surface.triangles.size(); ++f) {
+    const Triangle& t = surface.triangles[f];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto [low, high] = std::minmax(t[k], t[(k + 1) % 3]);
+      sides.push_back({low, high, f, t[k]});
+    }
+  }
+  std::ranges::sort(sides, std::less<>());
+  return sides;
+}
+
+/// Whether two triangles have one shading normal at a place that both have.
+bool is_round_at(const Mesh& mesh, const WeldedMesh& surface, std::uint32_t place, std::uint32_t a, std::uint32_t b) {
+  constexpr float kJoined = 0.98F;  // cosine
+  const auto normal = [&](std::uint32_t face) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      if (surface.triangles[face][k] == place) return mesh.normals[surface.corners[face][k]];
+    }
+    return Vec3(0.0F);
+  };
+  return glm::dot(normal(a), normal(b)) > kJoined;
+}
+
+/// Borders, and the edges that bend into hull.edges.
+std::vector<OpenSide> sort_edges(const Mesh& mesh, const WeldedMesh& surface, OutlineHull& hull) {
+  const std::vector<Side> sides = sorted_sides(surface);
+  std::vector<OpenSide> open;
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    const Side& side = sides[i];
+    const DVec3 normal = face_normal(surface, surface.triangles[side.face]);
+    if (i + 1 < sides.size() && sides[i + 1].low == side.low && sides[i + 1].high == side.high) {
+      const std::uint32_t neighbour = sides[++i].face;
+      const DVec3 other = face_normal(surface, surface.triangles[neighbour]);
+      auto angle = static_cast<float>(std::atan2(glm::length(glm::cross(normal, other)), glm::dot(normal, other)));
+      const auto is_round = [&](std::uint32_t end) { return is_round_at(mesh, surface, end, side.face, neighbour); };
+      if (is_round(side.low) && is_round(side.high)) angle *= 0.5F;
+      if (angle > OutlineHull::kFlat) hull.edges.push_back({side.low, side.high, angle});
+      continue;
+    }
+    const std::uint32_t to = side.from == side.low ? side.high : side.low;
+    const DVec3 along = DVec3(surface.positions[to]) - DVec3(surface.positions[side.from]);
+    open.push_back({side.from, to, unit(glm::cross(along, normal))});
+  }
+  return open;
+}
+
+/// Limits every edge by what continues it; a border continues anything.
+void join_creases(const std::vector<OpenSide>& borders, std::size_t places, std::vector<OutlineHull::Edge>& edges) {
+  constexpr int kFar = 3;  // edges
+  for (int round = 0; round < kFar; ++round) {
+    std::vector<std::array<float, 2>> sharpest(places, {0.0F, 0.0F});
+    const auto add = [&](std::uint32_t place, float angle) {
+      auto& [first, second] = sharpest[place];
+      second = std::max(second, std::min(first, angle));
+      first = std::max(first, angle);
+    };
+    for (const OpenSide& side : borders) add(side.from, 4.0F), add(side.to, 4.0F);
+    for (const OutlineHull::Edge& edge : edges) add(edge.from, edge.angle), add(edge.to, edge.angle);
+    for (OutlineHull::Edge& edge : edges) {
+      const float own = edge.angle;
+      for (const std::uint32_t end : {edge.from, edge.to}) {
+        const auto& [first, second] = sharpest[end];
+        edge.angle = std::min(edge.angle, first > own ? first : second);
+      }
+    }
+  }
+}
+
+/// Adds the edges and the strip along open borders, joined where two sides meet.
+void add_border(const Mesh& mesh, const WeldedMesh& surface, OutlineHull& hull) {
+  const std::vector<OpenSide> sides = sort_edges(mesh, surface, hull);
+  join_creases(sides, surface.positions.size(), hull.edges);
+  std::map<std::uint32_t, DVec3> outward;
+  for (const OpenSide& side : sides) {
+    for (const std::uint32_t v : {side.from, side.to}) outward.try_emplace(v, 0.0).first->second += side.outward;
+  }
+  std::map<std::uint32_t, double> least;
+  for (auto& [v, sum] : outward) sum = unit(sum);
+  for (const OpenSide& side : sides) {
+    for (const std::uint32_t v : {side.from, side.to}) {
+      double& cosine = least.try_emplace(v, 1.0).first->second;
+      cosine = std::min(cosine, glm::dot(outward[v], side.outward));
+    }
+  }
+  std::map<std::uint32_t, std::uint32_t> inner;  // the outer one is the next
+  for (const auto& [v, direction] : outward) {
+    inner[v] = static_cast<std::uint32_t>(hull.positions.size());
+    const float width = hull.widths[v];
+    for (const Vec3& step : {Vec3(0.0F), mitred(direction, least[v])}) {
+      hull.positions.push_back(surface.positions[v]);
+      hull.directions.push_back(step);
+      hull.widths.push_back(width);
+    }
+  }
+  for (const OpenSide& side : sides) {
+    const std::uint32_t a = inner[side.from];
+    const std::uint32_t b = inner[side.to];
+    const std::array<Triangle, 4> strip{{{a, b, b + 1}, {a, b + 1, a + 1}, {a, b + 1, b}, {a, a + 1, b + 1}}};
+    hull.triangles.insert(hull.triangles.end(), strip.begin(), strip.end());
+  }
+}
+
+}  // namespace
+
+OutlineHull outline_hull(const Mesh& mesh) {
+  const WeldedMesh surface = repair(mesh).surface;
+  OutlineHull hull;
+  hull.positions = surface.positions;
+  hull.directions = hull_directions(surface);
+  hull.widths = hull_widths(mesh, surface);
+  hull.triangles = surface.triangles;
+  add_border(mesh, surface, hull);
+  return hull;
+}
+
+}  // namespace luminist
