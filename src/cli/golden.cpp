@@ -1,6 +1,7 @@
 #include "studio/golden.h"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 
 #include <fmt/format.h>
@@ -13,6 +14,7 @@ namespace {
 struct Words {
   std::string style;
   std::string output;
+  std::vector<std::string> cases;
   bool update = false;
 };
 
@@ -35,6 +37,23 @@ StylePlace place_of(const std::string& words, const AssetRoots& standard) {
   return {path.filename().string(), AssetRoots(std::move(roots))};
 }
 
+/// The cases of that name; all if none is named.
+Result<std::vector<GoldenCase>> chosen(const Style& style, const std::vector<std::string>& names) {
+  if (names.empty()) return style.golden;
+  std::vector<std::string> known;
+  for (const GoldenCase& each : style.golden) known.push_back(each.name);
+  std::vector<GoldenCase> cases;
+  for (const std::string& name : names) {
+    const auto found = std::ranges::find(known, name);
+    if (found == known.end()) {
+      return Error{ErrorKind::kUsage, fmt::format("the style has no golden picture \"{}\"", name), "", "--case",
+                   fmt::format("it has {}", fmt::join(known, ", "))};
+    }
+    cases.push_back(style.golden[static_cast<std::size_t>(found - known.begin())]);
+  }
+  return cases;
+}
+
 Result<int> golden(const Words& words, VerbContext& context) {
   const StylePlace place = place_of(words.style, context.roots);
   const std::string output = words.output.empty() ? "out/golden/" + place.name : words.output;
@@ -48,7 +67,8 @@ Result<int> golden(const Words& words, VerbContext& context) {
   Diagnostics diagnostics;
   std::vector<GoldenOutcome> outcomes;
   int failed = 0;
-  for (const GoldenCase& each : style.golden) {
+  LUM_TRY(const std::vector<GoldenCase> cases, chosen(style, words.cases));
+  for (const GoldenCase& each : cases) {
     context.console.progress(each.name);
     LUM_TRY(GoldenOutcome outcome, run_golden(device, place.roots, style, each, output, diagnostics));
     if (words.update && !outcome.passed) {
@@ -62,8 +82,7 @@ Result<int> golden(const Words& words, VerbContext& context) {
     outcomes.push_back(std::move(outcome));
   }
   context.console.warn(diagnostics);
-  LUM_TRY_VOID(write_golden_page(place.name, outcomes, output));
-  context.console.result(output + "/index.html");
+  LUM_TRY_VOID(write_outcomes(style, outcomes, output));
   return failed == 0 ? 0 : 1;
 }
 
@@ -73,11 +92,14 @@ Verb declare_golden(CLI::App& app) {
   const auto words = std::make_shared<Words>();  // the parser and the returned function both use it
   app.add_option("STYLE", words->style, "A style's folder, as styles/toon")->required();
   app.add_flag("--update", words->update, "Makes the new pictures the references of the cases that differ");
-  app.add_option("-o,--output", words->output, "Folder for pictures and the page (default: out/golden/STYLE)");
+  app.add_option("--case", words->cases, "Only the case of that name; may be repeated");
+  app.add_option("-o,--output", words->output,
+                 "Folder for pictures and outcomes.json (default: out/golden/STYLE)");
   app.footer(
       "Examples:\n"
-      "  luminist golden styles/toon             then look at out/golden/toon/index.html\n"
-      "  luminist golden styles/toon --update    after looking: take the new pictures as references");
+      "  luminist golden styles/toon                          pictures and outcomes.json in out/golden/toon\n"
+      "  tools/golden.py toon                                 the same, and a page to look at\n"
+      "  luminist golden styles/toon --case creature --update after looking: take the new picture as reference");
   return [words](VerbContext& context) { return golden(*words, context); };
 }
 

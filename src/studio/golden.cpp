@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 #include "image_io/image_io.h"
 #include "studio/heat_map.h"
@@ -13,6 +15,8 @@ namespace luminist {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr int kWorstPixels = 8;
 
 fs::path reference_path(const Style& style, const GoldenCase& golden) {
   return fs::path(style.folder) / "golden" / (golden.name + ".exr");
@@ -48,20 +52,31 @@ void judge(GoldenOutcome& outcome) {
                                       golden.max_difference, d.mean_difference, golden.mean_difference);
 }
 
-std::string escaped(const std::string& text) {
-  std::string result;
-  for (const char c : text) {
-    if (c == '<') {
-      result += "&lt;";
-    } else if (c == '&') {
-      result += "&amp;";
-    } else if (c == '"') {
-      result += "&quot;";
-    } else {
-      result += c;
-    }
+using Json = nlohmann::ordered_json;
+
+Json to_json(const GoldenOutcome& outcome) {
+  const GoldenCase& golden = outcome.golden;
+  Json worst = Json::array();
+  for (const WorstPixel& pixel : outcome.worst) {
+    worst.push_back({{"x", pixel.x},
+                     {"y", pixel.y},
+                     {"difference", pixel.difference},
+                     {"new", pixel.picture},
+                     {"reference", pixel.reference}});
   }
-  return result;
+  Json json{{"name", golden.name},
+            {"passed", outcome.passed},
+            {"verdict", outcome.verdict},
+            {"reason", golden.reason},
+            {"max_difference", outcome.difference.max_difference},
+            {"max_allowed", golden.max_difference},
+            {"mean_difference", outcome.difference.mean_difference},
+            {"mean_allowed", golden.mean_difference},
+            {"new", golden.name + ".png"},
+            {"worst", std::move(worst)}};
+  if (outcome.has_reference) json["reference"] = golden.name + ".reference.png";
+  if (outcome.has_reference && outcome.difference.fault.empty()) json["difference"] = golden.name + ".difference.png";
+  return json;
 }
 
 }  // namespace
@@ -89,6 +104,32 @@ PictureDifference compare_pictures(const Image& picture, const Image& reference)
   return difference;
 }
 
+std::vector<WorstPixel> worst_pixels(const Image& picture, const Image& reference, int count) {
+  constexpr int kApart = 8;
+  const Image map = difference_map(picture, reference);
+  std::vector<std::size_t> order(map.pixels());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::erase_if(order, [&map](std::size_t i) { return !(map.data[i] > 0.0F); });
+  std::ranges::stable_sort(order, [&map](std::size_t a, std::size_t b) { return map.data[a] > map.data[b]; });
+  std::vector<WorstPixel> worst;
+  for (const std::size_t i : order) {
+    if (std::ssize(worst) >= count) break;
+    const int x = static_cast<int>(i % static_cast<std::size_t>(map.width));
+    const int y = static_cast<int>(i / static_cast<std::size_t>(map.width));
+    const bool near = std::ranges::any_of(worst, [&](const WorstPixel& other) {
+      return std::abs(other.x - x) < kApart && std::abs(other.y - y) < kApart;
+    });
+    if (near) continue;
+    WorstPixel pixel{x, y, map.data[i], {}, {}};
+    for (int c = 0; c < picture.channels; ++c) {
+      pixel.picture.push_back(picture.at(x, y, c));
+      pixel.reference.push_back(reference.at(x, y, c));
+    }
+    worst.push_back(std::move(pixel));
+  }
+  return worst;
+}
+
 Result<GoldenOutcome> run_golden(Device& device, const AssetRoots& roots, const Style& style, const GoldenCase& golden,
                                  const fs::path& output, Diagnostics& diagnostics) {
   Shot shot;
@@ -106,7 +147,7 @@ Result<GoldenOutcome> run_golden(Device& device, const AssetRoots& roots, const 
   const std::string file = in_output(".exr");
   const std::vector<ImageFile> candidate = {{file, &picture}, {in_output(".png"), &picture}};
   LUM_TRY_VOID(write_images(candidate));
-  GoldenOutcome outcome{.golden = golden, .verdict = "", .difference = {}};
+  GoldenOutcome outcome{.golden = golden, .verdict = "", .difference = {}, .worst = {}};
   const fs::path reference_file = reference_path(style, golden);
   auto reference = read_image(reference_file.string());
   if (!reference && reference.error().kind == ErrorKind::kMissing) {
@@ -121,6 +162,7 @@ Result<GoldenOutcome> run_golden(Device& device, const AssetRoots& roots, const 
   Image map;
   std::vector<ImageFile> files = {{in_output(".reference.png"), &*reference}};
   if (picture.same_size(*reference) && picture.channels == reference->channels) {
+    outcome.worst = worst_pixels(picture, *reference, kWorstPixels);
     map = heat_map(difference_map(picture, *reference), static_cast<float>(std::max(golden.max_difference, 1e-3)));
     files.push_back({in_output(".difference.png"), &map});
   }
@@ -138,26 +180,12 @@ Result<void> accept_golden(const Style& style, const GoldenCase& golden, const f
   return {};
 }
 
-Result<void> write_golden_page(const std::string& style, const std::vector<GoldenOutcome>& outcomes,
-                               const fs::path& output) {
-  std::string page = fmt::format(
-      "<!doctype html>\n<meta charset=\"utf-8\">\n<title>{0}: golden pictures</title>\n"
-      "<style>body {{ background: #28282a; color: #ddd; font: 15px sans-serif }} td, th {{ padding: 6px; text-align: "
-      "left; vertical-align: top }} .failed {{ color: #ff8a65 }} .passed {{ color: #9ccc65 }}</style>\n"
-      "<h1>{0}</h1>\n<table>\n<tr><th>new<th>reference<th>difference</tr>\n",
-      escaped(style));
-  for (const GoldenOutcome& outcome : outcomes) {
-    const std::string name = escaped(outcome.golden.name);
-    page += fmt::format("<tr><td colspan=\"3\"><b>{}</b> <span class=\"{}\">{}</span>: {}. {}</tr>\n", name,
-                        outcome.passed ? "passed" : "failed", outcome.passed ? "passed" : "failed",
-                        escaped(outcome.verdict), escaped(outcome.golden.reason));
-    page += fmt::format("<tr><td><img src=\"{}.png\">", name);
-    page += outcome.has_reference
-                ? fmt::format("<td><img src=\"{0}.reference.png\"><td><img src=\"{0}.difference.png\">", name)
-                : "<td>none<td>";
-    page += "</tr>\n";
-  }
-  return write_file_atomic(output / "index.html", page + "</table>\n");
+Result<void> write_outcomes(const Style& style, const std::vector<GoldenOutcome>& outcomes, const fs::path& output) {
+  Json cases = Json::array();
+  for (const GoldenOutcome& outcome : outcomes) cases.push_back(to_json(outcome));
+  const Json json{{"style", style.name}, {"folder", style.folder}, {"cases", std::move(cases)}};
+  return write_file_atomic(output / "outcomes.json",
+                           json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
 }
 
 }  // namespace luminist

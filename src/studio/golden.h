@@ -19,8 +19,20 @@ struct PictureDifference {
   double mean_difference = 0.0;
 };
 
+/// A pixel that differs, and more than those around it.
+struct WorstPixel {
+  int x = 0;
+  int y = 0;
+  double difference = 0.0;
+  std::vector<float> picture;  ///< [channels]
+  std::vector<float> reference;
+};
+
 /// In this order: size, channels, number of values that are not finite, then the two numbers.
 PictureDifference compare_pictures(const Image& picture, const Image& reference);
+
+/// The pixels that differ most, at most `count`, none within 8 pixels of another. Sizes and channels are equal.
+std::vector<WorstPixel> worst_pixels(const Image& picture, const Image& reference, int count);
 
 struct GoldenOutcome {
   GoldenCase golden;
@@ -28,6 +40,7 @@ struct GoldenOutcome {
   std::string verdict;  ///< one sentence without a full stop
   bool has_reference = false;
   PictureDifference difference;
+  std::vector<WorstPixel> worst;
 };
 
 /// Renders a case to output/NAME.exr (and .png), compares it with the style's golden/NAME.exr and writes
@@ -40,8 +53,9 @@ Result<GoldenOutcome> run_golden(Device& device, const AssetRoots& roots, const 
 /// errors kMissing, kUnwritable.
 Result<void> accept_golden(const Style& style, const GoldenCase& golden, const std::filesystem::path& output);
 
-/// output/index.html: new, reference and difference side by side. errors kUnwritable.
-Result<void> write_golden_page(const std::string& style, const std::vector<GoldenOutcome>& outcomes,
-                               const std::filesystem::path& output);
+/// output/outcomes.json, of which tools/golden.py makes a page: for each case its verdict, reason, both differences and
+/// what is allowed, the files of the pictures and the worst pixels. errors kUnwritable.
+Result<void> write_outcomes(const Style& style, const std::vector<GoldenOutcome>& outcomes,
+                            const std::filesystem::path& output);
 
 }  // namespace luminist

@@ -145,7 +145,13 @@ reason = "the same machine draws the same bits; the numbers allow for half float
   const Outcome differs = luminist("golden styles/flat -o page");
   EXPECT_EQ(differs.status, 1) << differs.err;
   EXPECT_NE(differs.out.find("FAILED ball: max"), std::string::npos) << differs.out;
-  EXPECT_NE(read("page/index.html").find("ball.difference.png"), std::string::npos);
+  const auto outcomes = nlohmann::json::parse(read("page/outcomes.json"));
+  const auto& ball = outcomes.at("cases").at(0);
+  EXPECT_EQ(ball.at("difference"), "ball.difference.png");
+  EXPECT_FALSE(ball.at("passed").get<bool>());
+  ASSERT_FALSE(ball.at("worst").empty());
+  EXPECT_EQ(ball["worst"][0]["difference"], ball["max_difference"]);
+  expect_error(luminist("golden styles/flat --case bal -o page"), 2);
   EXPECT_TRUE(exists("page/ball.reference.png"));
 }
 
