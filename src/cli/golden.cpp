@@ -93,8 +93,7 @@ Verb declare_golden(CLI::App& app) {
   app.add_option("STYLE", words->style, "A style's folder, as styles/toon")->required();
   app.add_flag("--update", words->update, "Makes the new pictures the references of the cases that differ");
   app.add_option("--case", words->cases, "Only the case of that name; may be repeated");
-  app.add_option("-o,--output", words->output,
-                 "Folder for pictures and outcomes.json (default: out/golden/STYLE)");
+  app.add_option("-o,--output", words->output, "Folder for pictures and outcomes.json (default: out/golden/STYLE)");
   app.footer(
       "Examples:\n"
       "  luminist golden styles/toon                          pictures and outcomes.json in out/golden/toon\n"
