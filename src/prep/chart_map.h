@@ -1,0 +1,47 @@
+#pragma once
+// prep/chart_map.h -- a disc laid flat.
+#include <optional>
+#include <vector>
+
+#include "prep/chart_disc.h"
+
+namespace luminist {
+
+/// How a chart was flattened.
+enum class ChartMethod {
+  kRigid,      ///< one triangle: no distortion at all
+  kLscm,       ///< least squares conformal, free border (Levy et al. 2002)
+  kMeanValue,  ///< onto a circle, cannot flip (Floater 2003)
+  kTutte,      ///< onto a circle with equal weights, cannot flip whatever the angles (Tutte 1963)
+};
+const char* name_of(ChartMethod method);  ///< "lscm"
+
+/// A place in the plane for every point of a disc, at any scale; nothing where the linear system fails. thread any.
+/// cost about 12 us a triangle. source CGAL, Surface_mesh_parameterization.
+std::optional<std::vector<glm::dvec2>> map_disc(const Disc& disc, ChartMethod method);
+
+/// How lengths changed. A linear factor is by how much the plane is longer than the surface in some direction.
+struct Distortion {
+  std::size_t flipped = 0;  ///< triangles turned over, beyond what rounding of the places explains
+  double area = 1.0;        ///< >= 1: mean factor (or its inverse) by which areas changed; exp(mean |log|)
+  double worst_area = 1.0;  ///< the same of the worst triangle
+  double angle = 1.0;       ///< >= 1: mean ratio of the linear factors of one triangle, 1 is conformal
+  double worst_angle = 1.0;
+  double stretch = 1.0;  ///< >= 1: root of the mean of (a^2 + b^2 + 1/a^2 + 1/b^2) / 4 of the linear factors a, b
+};
+
+/// The linear factors of one triangle, the larger first.
+struct LinearFactors {
+  double largest = 0.0;
+  double least = 0.0;  ///< < 0: flipped
+};
+LinearFactors factors_of(const std::array<glm::dvec3, 3>& surface, const std::array<glm::dvec2, 3>& plane);
+
+/// Means by area of the surface. places [disc.points]; rounding: how exactly they are known (0: doubles).
+Distortion distortion_of(const Disc& disc, const std::vector<glm::dvec2>& places, double rounding = 0.0);
+
+/// Whether two sides of a closed polygon cross or touch. A disc without flips whose border does not is laid without
+/// overlap. cost O(n log n) for borders that are not all of the same width.
+bool crosses_itself(const std::vector<glm::dvec2>& polygon);
+
+}  // namespace luminist
