@@ -17,6 +17,10 @@ float cross(const Vec2& a, const Vec2& b) {
   return a.x * b.y - a.y * b.x;
 }
 
+std::pair<std::uint32_t, std::uint32_t> edge(std::uint32_t a, std::uint32_t b) {
+  return {std::min(a, b), std::max(a, b)};
+}
+
 class AtlasDrawing {
  public:
   AtlasDrawing(const Unwrapped& unwrapped, int size_px)
@@ -25,15 +29,21 @@ class AtlasDrawing {
   Image draw() {
     const auto& triangles = unwrapped_->mesh.triangles;
     for (std::size_t f = 0; f < triangles.size(); ++f) fill(on_picture(f), color_of(f));
+    // Vertices at one place of the atlas are one point: seams of the mesh's own attributes are no borders.
+    std::map<std::pair<float, float>, std::uint32_t> points;
+    const auto point = [&](std::uint32_t v) {
+      const Vec2& at = unwrapped_->atlas[v];
+      return points.try_emplace({at.x, at.y}, static_cast<std::uint32_t>(points.size())).first->second;
+    };
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> uses;
     for (const auto& t : triangles) {
-      for (std::size_t k = 0; k < 3; ++k) ++uses[std::minmax(t[k], t[(k + 1) % 3])];
+      for (std::size_t k = 0; k < 3; ++k) ++uses[edge(point(t[k]), point(t[(k + 1) % 3]))];
     }
     for (std::size_t f = 0; f < triangles.size(); ++f) {
       const Corners p = on_picture(f);
       const auto& t = triangles[f];
       for (std::size_t k = 0; k < 3; ++k) {
-        const bool inside = uses[std::minmax(t[k], t[(k + 1) % 3])] == 2;
+        const bool inside = uses[edge(point(t[k]), point(t[(k + 1) % 3]))] == 2;
         line(p[k], p[(k + 1) % 3], Vec3(0.0F), inside ? 0.12F : 0.8F);
       }
     }

@@ -10,6 +10,7 @@ namespace luminist {
 /// How a chart was flattened.
 enum class ChartMethod {
   kRigid,      ///< one triangle: no distortion at all
+  kArap,       ///< as rigid as possible, from one of the next (Liu et al. 2008)
   kLscm,       ///< least squares conformal, free border (Levy et al. 2002)
   kMeanValue,  ///< onto a circle, cannot flip (Floater 2003)
   kTutte,      ///< onto a circle with equal weights, cannot flip whatever the angles (Tutte 1963)
@@ -17,8 +18,13 @@ enum class ChartMethod {
 const char* name_of(ChartMethod method);  ///< "lscm"
 
 /// A place in the plane for every point of a disc, at any scale; nothing where the linear system fails. thread any.
-/// cost about 12 us a triangle. source CGAL, Surface_mesh_parameterization.
+/// cost about 12 us a triangle. source CGAL, Surface_mesh_parameterization. method: any but kArap.
 std::optional<std::vector<glm::dvec2>> map_disc(const Disc& disc, ChartMethod method);
+
+/// Places from which lengths are kept better: a few steps of turning every triangle rigidly into its place and solving
+/// for the points between them. May flip what did not. places at the scale of the surface. cost about 8 us a triangle.
+/// source Liu et al. 2008, section 4.
+std::optional<std::vector<glm::dvec2>> as_rigid_as_possible(const Disc& disc, std::vector<glm::dvec2> places);
 
 /// How lengths changed. A linear factor is by how much the plane is longer than the surface in some direction.
 struct Distortion {

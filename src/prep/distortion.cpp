@@ -31,6 +31,8 @@ const char* name_of(ChartMethod method) {
   switch (method) {
     case ChartMethod::kRigid:
       return "rigid";
+    case ChartMethod::kArap:
+      return "arap";
     case ChartMethod::kLscm:
       return "lscm";
     case ChartMethod::kMeanValue:

@@ -41,39 +41,56 @@ class Flattener {
   }
 
  private:
-  /// Fills places, method and distortion. false where no method does well.
-  bool lay(FlatChart& chart) const {
-    if (chart.disc.triangles.size() == 1) return lay_by(chart, ChartMethod::kRigid) != Fate::kTorn;
-    const Fate free = lay_by(chart, ChartMethod::kLscm);
-    // A circle distorts a chart more than a free border does.
-    if (free != Fate::kTorn) return free == Fate::kGood;
-    const Fate round = lay_by(chart, ChartMethod::kMeanValue);
-    if (round != Fate::kTorn) return round == Fate::kGood;
-    return lay_by(chart, ChartMethod::kTutte) == Fate::kGood;
-  }
-
   enum class Fate { kGood, kStretched, kTorn };
 
-  Fate lay_by(FlatChart& chart, ChartMethod method) const {
+  /// Fills places, method and distortion. false where no method does well.
+  bool lay(FlatChart& chart) const {
+    if (chart.disc.triangles.size() == 1) return place(chart, ChartMethod::kRigid) != Fate::kTorn;
+    for (const ChartMethod method : {ChartMethod::kLscm, ChartMethod::kMeanValue, ChartMethod::kTutte}) {
+      if (place(chart, method) != Fate::kTorn) return relax(chart) == Fate::kGood;
+    }
+    return false;
+  }
+
+  Fate place(FlatChart& chart, ChartMethod method) const {
     auto places = map_disc(chart.disc, method);
-    if (!places) return Fate::kTorn;
+    return places ? take(chart, *std::move(places), method) : Fate::kTorn;
+  }
+
+  /// Lengths kept better, where that leaves the chart whole.
+  Fate relax(FlatChart& chart) const {
+    constexpr double kGoodAlready = 1.003;  // lengths are off by a few percent
+    if (chart.distortion.stretch > kGoodAlready) {
+      auto places = as_rigid_as_possible(chart.disc, chart.places);
+      FlatChart relaxed;
+      relaxed.disc = std::move(chart.disc), relaxed.area = chart.area;
+      const bool is_better = places && take(relaxed, *std::move(places), ChartMethod::kArap) != Fate::kTorn &&
+                             relaxed.distortion.stretch < chart.distortion.stretch;
+      chart.disc = std::move(relaxed.disc);
+      if (is_better) {
+        chart.places = std::move(relaxed.places);
+        chart.method = relaxed.method, chart.distortion = relaxed.distortion;
+      }
+    }
+    return chart.distortion.stretch <= limits_.stretch ? Fate::kGood : Fate::kStretched;
+  }
+
+  /// Scales the places to the area of the surface and judges them.
+  Fate take(FlatChart& chart, std::vector<glm::dvec2> places, ChartMethod method) const {
     double area = 0.0;
     for (const auto& [a, b, c] : chart.disc.triangles) {
-      area += 0.5 * cross((*places)[b] - (*places)[a], (*places)[c] - (*places)[a]);
+      area += 0.5 * cross(places[b] - places[a], places[c] - places[a]);
     }
     if (!(std::abs(area) > 0.0)) return Fate::kTorn;
     const double scale = std::sqrt(chart.area / std::abs(area));
     // Solutions may come as mirror images.
-    for (glm::dvec2& p : *places) p *= glm::dvec2(scale, area < 0.0 ? -scale : scale);
-    chart.places = *std::move(places), chart.method = method;
+    for (glm::dvec2& p : places) p *= glm::dvec2(scale, area < 0.0 ? -scale : scale);
+    chart.places = std::move(places), chart.method = method;
     chart.distortion = distortion_of(chart.disc, chart.places);
     if (chart.distortion.flipped > 0) return Fate::kTorn;
-    if (method == ChartMethod::kLscm) {
-      std::vector<glm::dvec2> border;
-      for (const std::uint32_t point : chart.disc.border) border.push_back(chart.places[point]);
-      if (crosses_itself(border)) return Fate::kTorn;
-    }
-    return chart.distortion.stretch <= limits_.stretch ? Fate::kGood : Fate::kStretched;
+    std::vector<glm::dvec2> border;
+    for (const std::uint32_t point : chart.disc.border) border.push_back(chart.places[point]);
+    return crosses_itself(border) ? Fate::kTorn : Fate::kGood;
   }
 
   /// Turns the chart and returns the field's directions on it, doubled, by their confidence, before the turn.
@@ -122,8 +139,8 @@ class Flattener {
 
 }  // namespace
 
-std::vector<FlatChart> flatten(const WeldedMesh& surface, const SurfaceSides& sides, const StrokeField& field,
-                               std::vector<Region> regions, const FlatteningLimits& limits) {
+std::vector<FlatChart> flatten(const WeldedMesh& surface, const SurfaceSides& sides, const SurfaceSides& smooth,
+                               const StrokeField& field, std::vector<Region> regions, const FlatteningLimits& limits) {
   const Flattener flattener(surface, sides, field, limits);
   std::vector<FlatChart> charts;
   std::vector<char> may_divide(regions.size(), 1);
@@ -132,7 +149,7 @@ std::vector<FlatChart> flatten(const WeldedMesh& surface, const SurfaceSides& si
     std::vector<std::array<Region, 2>> halves(regions.size());
     tbb::parallel_for(std::size_t{0}, regions.size(), [&](std::size_t i) {
       attempts[i] = flattener.attempt(regions[i], may_divide[i] != 0);
-      if (!attempts[i].chart) halves[i] = halves_of(sides, regions[i], attempts[i].features);
+      if (!attempts[i].chart) halves[i] = halves_of(smooth, regions[i], attempts[i].features);
     });
     std::vector<Region> rest;
     std::vector<char> rest_may_divide;

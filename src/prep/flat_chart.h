@@ -22,10 +22,12 @@ struct FlatteningLimits {
   double smallest = 0.01;  ///< but not for that if they are below this share of their piece's area
 };
 
-/// Regions are tried as LSCM, then, where that flips or overlaps, with a border on a circle; those beyond the limits
-/// are divided and tried again, down to single triangles if need be, so that there is always an answer. In order of
-/// their first triangles; same surface, same bits. cost about 20 us a triangle over all cores.
-std::vector<FlatChart> flatten(const WeldedMesh& surface, const SurfaceSides& sides, const StrokeField& field,
-                               std::vector<Region> regions, const FlatteningLimits& limits = {});
+/// Regions are tried as LSCM, where that flips or overlaps with a border on a circle, and then made as rigid as
+/// possible; those beyond the limits are divided (by the normals of `smooth`) and tried again, down to single triangles
+/// if need be, so that there is always an answer. In order of their first triangles; same surface, same bits. cost
+/// about 20 us a triangle over all cores.
+std::vector<FlatChart> flatten(const WeldedMesh& surface, const SurfaceSides& sides, const SurfaceSides& smooth,
+                               const StrokeField& field, std::vector<Region> regions,
+                               const FlatteningLimits& limits = {});
 
 }  // namespace luminist

@@ -82,6 +82,37 @@ SurfaceSides sides_of(const WeldedMesh& surface) {
   return sides;
 }
 
+SurfaceSides smoothed(const SurfaceSides& sides, double reach) {
+  constexpr double kEdge = 0.6;  // radians: a turn by this much lets a third through
+  constexpr int kMost = 40;      // passes; each reaches one triangle farther, as a random walk
+  SurfaceSides result = sides;
+  const double triangles_in_reach = reach * reach * static_cast<double>(sides.areas.size());
+  const int passes = std::min(static_cast<int>(triangles_in_reach), kMost);
+  if (passes == 0) return result;
+  std::vector<glm::dvec3> before;
+  for (int pass = 0; pass < passes; ++pass) {
+    before = result.normals;
+    for (std::uint32_t f = 0; f < before.size(); ++f) {
+      glm::dvec3 sum = sides.areas[f] * before[f];
+      for (std::uint32_t s = 3 * f; s < 3 * f + 3; ++s) {
+        const std::uint32_t other = sides.across[s];
+        if (other == SurfaceSides::kNone) continue;
+        const double apart = glm::length(before[f] - before[other / 3]) / kEdge;
+        sum += sides.areas[other / 3] * std::exp(-apart * apart) * before[other / 3];
+      }
+      const double length = glm::length(sum);
+      if (length > 0.0) result.normals[f] = sum / length;
+    }
+  }
+  for (std::uint32_t s = 0; s < result.turns.size(); ++s) {
+    const std::uint32_t other = sides.across[s];
+    if (other == SurfaceSides::kNone) continue;
+    const double chord = glm::length(result.normals[s / 3] - result.normals[other / 3]);
+    result.turns[s] = std::copysign(2.0 * std::asin(std::min(0.5 * chord, 1.0)), sides.turns[s]);
+  }
+  return result;
+}
+
 TangentFrame tangent_frame_of(const glm::dvec3& n) {
   const double sign = std::copysign(1.0, n.z);  // Duff et al. 2017
   const double a = -1.0 / (sign + n.z);

@@ -31,6 +31,10 @@ struct SurfaceSides {
 /// cost O(n log n).
 SurfaceSides sides_of(const WeldedMesh& surface);
 
+/// The same with normals averaged over a neighbourhood of about `reach` of each surface's size (the root of its area),
+/// but not over edges, and with the turns between those: bumps of a scan do not look like shape. cost O(n reach^2).
+SurfaceSides smoothed(const SurfaceSides& sides, double reach);
+
 /// Disjoint sets of 0 .. size - 1; the smallest member stands for its set, so that results have no hidden order.
 class DisjointSets {
  public:

@@ -117,8 +117,10 @@ Unwrapped unwrap(const Mesh& mesh, const UnwrapOptions& options) {
   if (surface.triangles.empty()) return {};
   const SurfaceSides sides = sides_of(surface);
   const StrokeField field = stroke_field(surface, sides);
+  constexpr double kBumps = 0.015;  // of a surface's size
+  const SurfaceSides smooth = smoothed(sides, kBumps);
   const std::vector<FlatChart> flats =
-      flatten(surface, sides, field, charts_of(sides, options.charts), {.stretch = options.stretch});
+      flatten(surface, sides, smooth, field, charts_of(smooth, options.charts), {.stretch = options.stretch});
   std::vector<std::vector<glm::dvec2>> borders;
   std::vector<double> areas;
   double total = 0.0, seams = 0.0;
