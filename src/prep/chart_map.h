@@ -34,6 +34,7 @@ struct Distortion {
   double angle = 1.0;       ///< >= 1: mean ratio of the linear factors of one triangle, 1 is conformal
   double worst_angle = 1.0;
   double stretch = 1.0;  ///< >= 1: root of the mean of (a^2 + b^2 + 1/a^2 + 1/b^2) / 4 of the linear factors a, b
+                         ///< (those beyond 10 count as 10)
 };
 
 /// The linear factors of one triangle, the larger first.
@@ -46,8 +47,12 @@ LinearFactors factors_of(const std::array<glm::dvec3, 3>& surface, const std::ar
 /// Means by area of the surface. places [disc.points]; rounding: how exactly they are known (0: doubles).
 Distortion distortion_of(const Disc& disc, const std::vector<glm::dvec2>& places, double rounding = 0.0);
 
-/// Whether two sides of a closed polygon cross or touch. A disc without flips whose border does not is laid without
-/// overlap. cost O(n log n) for borders that are not all of the same width.
-bool crosses_itself(const std::vector<glm::dvec2>& polygon);
+/// The sides (i from point i to the next) of a closed polygon that cross or touch another, in pairs. A disc without
+/// flips whose border has none is laid without overlap. cost O(n log n) for sides that are short against the whole.
+std::vector<std::size_t> crossing_sides(const std::vector<glm::dvec2>& polygon);
+
+/// Moves points around few flipped triangles and crossing border sides between their neighbours until there are none.
+/// false where that does not help. cost about 1 us a triangle and round.
+bool mend(const Disc& disc, std::vector<glm::dvec2>& places);
 
 }  // namespace luminist

@@ -240,6 +240,7 @@ std::vector<Region> charts_of(const SurfaceSides& sides, const ChartOptions& opt
   Merging merging(sides, all, {});
   merging.run({.spread = options.spread, .crease = options.crease});
   merging.run({.spread = 2.0 * options.spread, .crease = 1.3 * options.crease, .small = options.smallest});
+  merging.run({.small = options.tiny});
   std::vector<std::uint32_t> label = merging.numbers();
   straighten(sides, label, 0.5 * options.crease);
   return regions_of(label);

@@ -17,6 +17,8 @@ struct ChartOptions {
   double crease = 0.87;
   /// Regions below this share of their piece's area join a neighbour, if that stays within twice the spread.
   double smallest = 0.004;
+  /// Regions below this share join a neighbour whatever lies between: single triangles that stick out of a scan.
+  double tiny = 3e-4;
 };
 
 /// Every triangle in one region: neighbours are merged, the best first, as long as the options allow. Borders come to

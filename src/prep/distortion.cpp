@@ -74,8 +74,11 @@ Distortion distortion_of(const Disc& disc, const std::vector<glm::dvec2>& places
     const double log_area = std::abs(std::log(large * small));
     result.worst_area = std::max(result.worst_area, std::exp(log_area));
     result.worst_angle = std::max(result.worst_angle, large / small);
+    // One crushed triangle among thousands does not condemn a chart.
+    constexpr double kMostStretch = 10.0;
+    const double a1 = std::min(large, kMostStretch), b1 = std::max(small, 1.0 / kMostStretch);
     total += area, area_sum += area * log_area, angle_sum += area * (large / small);
-    stretch_sum += 0.25 * area * (large * large + small * small + 1.0 / (large * large) + 1.0 / (small * small));
+    stretch_sum += 0.25 * area * (a1 * a1 + b1 * b1 + 1.0 / (a1 * a1) + 1.0 / (b1 * b1));
   }
   if (!(total > 0.0)) return result;
   result.area = std::exp(area_sum / total), result.angle = angle_sum / total;
@@ -83,7 +86,7 @@ Distortion distortion_of(const Disc& disc, const std::vector<glm::dvec2>& places
   return result;
 }
 
-bool crosses_itself(const std::vector<glm::dvec2>& polygon) {
+std::vector<std::size_t> crossing_sides(const std::vector<glm::dvec2>& polygon) {
   const std::size_t count = polygon.size();
   const auto end = [&](std::size_t i) -> const glm::dvec2& { return polygon[(i + 1) % count]; };
   const auto left = [&](std::size_t i) { return std::min(polygon[i].x, end(i).x); };
@@ -91,15 +94,16 @@ bool crosses_itself(const std::vector<glm::dvec2>& polygon) {
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::sort(order, {}, left);
   std::vector<std::size_t> active;  // sides whose right end is not yet passed
+  std::vector<std::size_t> crossing;
   for (const std::size_t i : order) {
     std::erase_if(active, [&](std::size_t j) { return std::max(polygon[j].x, end(j).x) < left(i); });
     for (const std::size_t j : active) {
       const bool adjacent = (i + 1) % count == j || (j + 1) % count == i;
-      if (!adjacent && segments_meet(polygon[i], end(i), polygon[j], end(j))) return true;
+      if (!adjacent && segments_meet(polygon[i], end(i), polygon[j], end(j))) crossing.insert(crossing.end(), {i, j});
     }
     active.push_back(i);
   }
-  return false;
+  return crossing;
 }
 
 }  // namespace luminist

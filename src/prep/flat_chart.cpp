@@ -45,8 +45,11 @@ class Flattener {
 
   /// Fills places, method and distortion. false where no method does well.
   bool lay(FlatChart& chart) const {
+    // A large chart that tears is seldom good on a circle, and its halves are cheaper to try.
+    constexpr std::size_t kMostOnCircle = 1000;
     if (chart.disc.triangles.size() == 1) return place(chart, ChartMethod::kRigid) != Fate::kTorn;
     for (const ChartMethod method : {ChartMethod::kLscm, ChartMethod::kMeanValue, ChartMethod::kTutte}) {
+      if (method != ChartMethod::kLscm && chart.region.size() > kMostOnCircle) return false;
       if (place(chart, method) != Fate::kTorn) return relax(chart) == Fate::kGood;
     }
     return false;
@@ -85,12 +88,10 @@ class Flattener {
     const double scale = std::sqrt(chart.area / std::abs(area));
     // Solutions may come as mirror images.
     for (glm::dvec2& p : places) p *= glm::dvec2(scale, area < 0.0 ? -scale : scale);
+    if (!mend(chart.disc, places)) return Fate::kTorn;
     chart.places = std::move(places), chart.method = method;
     chart.distortion = distortion_of(chart.disc, chart.places);
-    if (chart.distortion.flipped > 0) return Fate::kTorn;
-    std::vector<glm::dvec2> border;
-    for (const std::uint32_t point : chart.disc.border) border.push_back(chart.places[point]);
-    return crosses_itself(border) ? Fate::kTorn : Fate::kGood;
+    return Fate::kGood;
   }
 
   /// Turns the chart and returns the field's directions on it, doubled, by their confidence, before the turn.
