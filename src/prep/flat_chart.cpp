@@ -144,16 +144,17 @@ std::vector<FlatChart> flatten(const WeldedMesh& surface, const SurfaceSides& si
                                const StrokeField& field, std::vector<Region> regions, const FlatteningLimits& limits) {
   const Flattener flattener(surface, sides, field, limits);
   std::vector<FlatChart> charts;
-  std::vector<char> may_divide(regions.size(), 1);
+  // How often strokes may still divide a region: those that disagree in parts of parts are noise.
+  std::vector<int> may_divide(regions.size(), 2);
   while (!regions.empty()) {
     std::vector<Attempt> attempts(regions.size());
     std::vector<std::array<Region, 2>> halves(regions.size());
     tbb::parallel_for(std::size_t{0}, regions.size(), [&](std::size_t i) {
-      attempts[i] = flattener.attempt(regions[i], may_divide[i] != 0);
+      attempts[i] = flattener.attempt(regions[i], may_divide[i] > 0);
       if (!attempts[i].chart) halves[i] = halves_of(smooth, regions[i], attempts[i].features);
     });
     std::vector<Region> rest;
-    std::vector<char> rest_may_divide;
+    std::vector<int> rest_may_divide;
     for (std::size_t i = 0; i < regions.size(); ++i) {
       if (attempts[i].chart) {
         charts.push_back(*std::move(attempts[i].chart));
@@ -161,8 +162,7 @@ std::vector<FlatChart> flatten(const WeldedMesh& surface, const SurfaceSides& si
       }
       for (Region& half : halves[i]) {
         rest.push_back(std::move(half));
-        // Strokes that disagree in the halves too are noise, which no division ends.
-        rest_may_divide.push_back(attempts[i].features.empty() ? may_divide[i] : 0);
+        rest_may_divide.push_back(may_divide[i] - (attempts[i].features.empty() ? 0 : 1));
       }
     }
     regions = std::move(rest), may_divide = std::move(rest_may_divide);

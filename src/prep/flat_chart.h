@@ -18,7 +18,7 @@ struct FlatChart {
 
 struct FlatteningLimits {
   double stretch = 1.1;    ///< Distortion::stretch of a chart: 1.1 is lengths that are off by a third on average
-  double coherence = 0.5;  ///< charts that have less are divided
+  double coherence = 0.6;  ///< charts that have less are divided
   double smallest = 0.01;  ///< but not for that if they are below this share of their piece's area
 };
 

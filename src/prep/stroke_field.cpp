@@ -15,7 +15,7 @@ namespace {
 using Complex = std::complex<double>;  // a direction at angle a is e^(2 i a): it has no sign
 
 /// How far a direction reaches, as a share of a piece's size (the root of its area).
-constexpr double kReach = 0.04;
+constexpr double kReach = 0.07;
 /// Directions of the default have this share of the say of full curvature, so that they decide where there is none.
 constexpr double kDefaultSay = 1e-4;
 
