@@ -47,7 +47,7 @@ LinearFactors factors_of(const std::array<glm::dvec3, 3>& surface, const std::ar
 /// Means by area of the surface. places [disc.points]; rounding: how exactly they are known (0: doubles).
 Distortion distortion_of(const Disc& disc, const std::vector<glm::dvec2>& places, double rounding = 0.0);
 
-/// The sides (i from point i to the next) of a closed polygon that cross or touch another, in pairs. A disc without
+/// The sides (i from point i to the next) of a closed polygon that cross another, in pairs. A disc without
 /// flips whose border has none is laid without overlap. cost O(n log n) for sides that are short against the whole.
 std::vector<std::size_t> crossing_sides(const std::vector<glm::dvec2>& polygon);
 

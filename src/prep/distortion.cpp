@@ -16,13 +16,16 @@ bool overlap(double a, double b, double c, double d) {
   return std::max(a, b) >= std::min(c, d) && std::max(c, d) >= std::min(a, b);
 }
 
-bool segments_meet(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c, const glm::dvec2& d) {
+/// Whether each ends on both sides of the other, by more than a billionth of its length: the two sides of a cut may lie
+/// on each other, as where a flat ring was cut open.
+bool segments_cross(const glm::dvec2& a, const glm::dvec2& b, const glm::dvec2& c, const glm::dvec2& d) {
   if (!overlap(a.x, b.x, c.x, d.x) || !overlap(a.y, b.y, c.y, d.y)) return false;
-  const double ac = cross(b - a, c - a);
-  const double ad = cross(b - a, d - a);
-  const double ca = cross(d - c, a - c);
-  const double cb = cross(d - c, b - c);
-  return ac * ad <= 0.0 && ca * cb <= 0.0;
+  constexpr double kTouch = 1e-9;
+  const double first = kTouch * glm::dot(b - a, b - a), second = kTouch * glm::dot(d - c, d - c);
+  const double ac = cross(b - a, c - a), ad = cross(b - a, d - a);
+  const double ca = cross(d - c, a - c), cb = cross(d - c, b - c);
+  return std::min(ac, ad) < -first && std::max(ac, ad) > first && std::min(ca, cb) < -second &&
+         std::max(ca, cb) > second;
 }
 
 }  // namespace
@@ -99,7 +102,7 @@ std::vector<std::size_t> crossing_sides(const std::vector<glm::dvec2>& polygon) 
     std::erase_if(active, [&](std::size_t j) { return std::max(polygon[j].x, end(j).x) < left(i); });
     for (const std::size_t j : active) {
       const bool adjacent = (i + 1) % count == j || (j + 1) % count == i;
-      if (!adjacent && segments_meet(polygon[i], end(i), polygon[j], end(j))) crossing.insert(crossing.end(), {i, j});
+      if (!adjacent && segments_cross(polygon[i], end(i), polygon[j], end(j))) crossing.insert(crossing.end(), {i, j});
     }
     active.push_back(i);
   }
