@@ -1,0 +1,33 @@
+#pragma once
+// prep/flat_chart.h -- regions laid flat without flips or overlap, divided where they do not lie well.
+#include "prep/chart_map.h"
+#include "prep/curvature.h"
+
+namespace luminist {
+
+/// A region in the plane, with the area that it has on the surface; the mean of the stroke field runs along +x.
+struct FlatChart {
+  Region region;
+  Disc disc;                       ///< of the region
+  std::vector<glm::dvec2> places;  ///< [disc.points]
+  ChartMethod method = ChartMethod::kRigid;
+  Distortion distortion;
+  double area = 0.0;
+  double coherence = 1.0;  ///< in [0,1]: 1 if all confident directions of the field are parallel in the plane
+};
+
+struct FlatteningLimits {
+  double stretch = 1.1;    ///< Distortion::stretch of a chart: 1.1 is lengths that are off by a third on average
+  double coherence = 0.6;  ///< charts that have less are divided
+  double smallest = 0.01;  ///< but not for that if they are below this share of their piece's area
+};
+
+/// Regions are tried as LSCM, where that flips or overlaps with a border on a circle, and then made as rigid as
+/// possible; those beyond the limits are divided (by the normals of `smooth`) and tried again, down to single triangles
+/// if need be, so that there is always an answer. In order of their first triangles; same surface, same bits. cost
+/// about 20 us a triangle over all cores.
+std::vector<FlatChart> flatten(const WeldedMesh& surface, const SurfaceSides& sides, const SurfaceSides& smooth,
+                               const StrokeField& field, std::vector<Region> regions,
+                               const FlatteningLimits& limits = {});
+
+}  // namespace luminist
