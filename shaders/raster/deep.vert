@@ -9,6 +9,8 @@ uniform mat4 clip_from_world;  // with the shift of the pass
 uniform mat4 world_from_object;
 uniform mat3 normal_from_object;  // inverse transpose, not normalized
 
+uniform float radii_per_unit;  // scene radii of a unit of the mesh
+
 out vec3 world_position;
 out vec3 world_normal;
 out vec2 texture_uv;
@@ -20,7 +22,7 @@ void main() {
   world_position = world.xyz;
   world_normal = normal_from_object * normal;
   texture_uv = uv;
-  stroke_place = stroke;
+  stroke_place = radii_per_unit * stroke;
   world_tangent = vec4(mat3(world_from_object) * tangent.xyz, tangent.w);
   gl_Position = clip_from_world * vec4(world.xyz, 1.0);
 }

@@ -12,7 +12,7 @@ void main() {
     lum_load_candidate(candidate);
     Surface s = surface;
     if (lum_candidate.z == LUM_NONE) s.emissive = vec3(0.0);
-    vec3 color = s.object == 0u ? vec3(0.0) : lum_shade(s);
+    vec3 color = s.object == 0u ? lum_background() : lum_shade(s);
     if (lum_frame.layered != 0u) color += lum_layer[lum_sample].rgb;
     lum_colors[candidate * lum_frame.samples + lum_sample] = vec4(color, 1.0);
   }

@@ -117,6 +117,15 @@ std::string content_hash(std::string_view bytes) {
   return fmt::format("{:016x}{:016x}", hash.high64, hash.low64);
 }
 
+fs::path cache_folder() {
+  if (const char* chosen = std::getenv("LUMINIST_CACHE")) return chosen;
+  if (const char* caches = std::getenv("XDG_CACHE_HOME"); caches != nullptr && *caches == '/') {
+    return fs::path(caches) / "luminist";
+  }
+  if (const char* home = std::getenv("HOME"); home != nullptr && *home == '/') return fs::path(home) / ".cache/luminist";
+  return {};
+}
+
 AssetRoots AssetRoots::standard() {
   std::vector<fs::path> roots;
   if (const char* root = std::getenv("LUMINIST_ROOT")) roots.emplace_back(root);

@@ -40,6 +40,10 @@ class AssetRoots {
   std::vector<std::filesystem::path> roots_;
 };
 
+/// Where what can be made again is kept: LUMINIST_CACHE if it is set (empty: nothing is kept), else luminist/ below
+/// XDG_CACHE_HOME or ~/.cache. It need not exist.
+std::filesystem::path cache_folder();
+
 /// Turns a relative reference found inside a file into a path below that file's folder.
 /// errors kBadContent for absolute paths, URLs, "..", links that leave the folder; kMissing if nothing is there.
 Result<std::filesystem::path> resolve_beside(const std::filesystem::path& file, std::string_view reference);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -82,6 +83,7 @@ Result<DeepPasses> DeepPasses::create(Device& device, const AssetRoots& roots, c
       static_cast<int>(std::clamp<std::size_t>(band_bytes / row_bytes, 1, static_cast<std::size_t>(height)));
   const float aspect = static_cast<float>(width) / static_cast<float>(height);
   passes.eye_ = camera.position();
+  passes.radius_ = extras.radius;
 
   LUM_TRY(const SourceChunk vertex, load_chunk(roots, "shaders/raster/deep.vert"));
   LUM_TRY(const SourceChunk fragment, load_chunk(roots, "shaders/raster/deep.frag"));
@@ -188,6 +190,7 @@ void DeepPasses::draw_models(const Mat4& clip_from_world) {
     const Mat3 linear(draw.world_from_object);
     program_.set("world_from_object", draw.world_from_object);
     program_.set("normal_from_object", normal_matrix(linear));
+    program_.set("radii_per_unit", std::cbrt(std::abs(glm::determinant(linear))) / radius_);
     program_.set("side", glm::determinant(linear) < 0.0F ? -1.0F : 1.0F);
     glProgramUniform2ui(program_.name(), glGetUniformLocation(program_.name(), "ids"), draw.object + 1,
                         draw.material + 1);

@@ -18,6 +18,7 @@ namespace luminist {
 /// What a deep framebuffer holds beyond what every style reads.
 struct DeepExtras {
   bool strokes = false;
+  float radius = 1.0F;  ///< of the scene's frame, which measures strokes
   std::optional<DeepLines> lines;
 };
 
@@ -65,6 +66,7 @@ class DeepPasses {
   int drawn_band_ = -1;
   Mat4 clip_from_world_{1.0F};
   Vec3 eye_{0.0F};
+  float radius_ = 1.0F;
   bool strokes_ = false;
   std::optional<LinePasses> lines_;
   Program program_;

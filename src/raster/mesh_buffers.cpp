@@ -5,6 +5,8 @@
 #include <utility>
 
 #include "base/check.h"
+#include "base/files.h"
+#include "prep/stroke_mesh.h"
 
 namespace luminist {
 namespace {
@@ -14,6 +16,7 @@ struct VertexAttributes {
   Vec3 normal;
   Vec2 uv{0.0F};
   Vec4 tangent{0.0F};
+  Vec2 stroke{0.0F};
 };
 
 /// Where a mesh lies in the common buffers.
@@ -68,12 +71,19 @@ bool needs_tangents(const Scene& scene, int mesh_index) {
   return false;
 }
 
-MeshRange append_mesh(const Scene& scene, int mesh_index, Lists& lists) {
+MeshRange append_mesh(const Scene& scene, int mesh_index, bool strokes, Lists& lists) {
   const Mesh& mesh = scene.meshes[static_cast<std::size_t>(mesh_index)];
-  if (!needs_tangents(scene, mesh_index)) return append(mesh, lists);
+  const bool tangents = needs_tangents(scene, mesh_index);
+  if (!tangents && !strokes) return append(mesh, lists);
   Mesh copy = mesh;
-  compute_tangents(copy);
-  return append(copy, lists);
+  if (tangents) compute_tangents(copy);
+  if (!strokes) return append(copy, lists);
+  const StrokeMesh made = stroke_mesh(copy, cache_folder());
+  const MeshRange range = append(made.mesh, lists);
+  for (std::size_t i = 0; i < made.strokes.size(); ++i) {
+    lists.attributes[static_cast<std::size_t>(range.base_vertex) + i].stroke = made.strokes[i];
+  }
+  return range;
 }
 
 }  // namespace
@@ -84,10 +94,12 @@ Mat3 normal_matrix(const Mat3& linear) {
   return glm::determinant(linear) < 0.0F ? -cofactors : cofactors;
 }
 
-Result<MeshBuffers> MeshBuffers::create(Device& device, const Scene& scene) {
+Result<MeshBuffers> MeshBuffers::create(Device& device, const Scene& scene, bool strokes) {
   Lists lists;
   std::vector<MeshRange> ranges;
-  for (int i = 0; i < static_cast<int>(scene.meshes.size()); ++i) ranges.push_back(append_mesh(scene, i, lists));
+  for (int i = 0; i < static_cast<int>(scene.meshes.size()); ++i) {
+    ranges.push_back(append_mesh(scene, i, strokes, lists));
+  }
   if (lists.positions.size() > std::numeric_limits<GLint>::max()) {
     return Error{ErrorKind::kLimit, "the scene has too many vertices for the graphics device", "", "", ""};
   }
@@ -120,6 +132,7 @@ Result<MeshBuffers> MeshBuffers::create(Device& device, const Scene& scene) {
   meshes.full_.set_attribute(1, 1, 3, offsetof(VertexAttributes, normal));
   meshes.full_.set_attribute(2, 1, 2, offsetof(VertexAttributes, uv));
   meshes.full_.set_attribute(3, 1, 4, offsetof(VertexAttributes, tangent));
+  meshes.full_.set_attribute(4, 1, 2, offsetof(VertexAttributes, stroke));
   return meshes;
 }
 

@@ -29,13 +29,15 @@ Mat3 normal_matrix(const Mat3& linear);
 /// vertex normals, whichever way the file had them; triangles with an index out of range are left out.
 class MeshBuffers {
  public:
-  /// errors kLimit if graphics memory runs out. cost O(vertices + triangles), once per scene.
-  static Result<MeshBuffers> create(Device& device, const Scene& scene);
+  /// strokes: meshes are unwrapped. errors kLimit if graphics memory runs out. cost O(vertices + triangles), once per
+  /// scene; with strokes that of stroke_mesh().
+  static Result<MeshBuffers> create(Device& device, const Scene& scene, bool strokes = false);
 
   [[nodiscard]] const std::vector<MeshDraw>& draws() const { return draws_; }
   [[nodiscard]] const Box& bounds() const { return bounds_; }  ///< world, with backdrops
 
-  /// Inputs 0: position vec3, 1: normal vec3, 2: uv vec2, 3: tangent vec4 (zero without tangents).
+  /// Inputs 0: position vec3, 1: normal vec3, 2: uv vec2, 3: tangent vec4 (zero without tangents),
+  /// 4: stroke vec2, the mesh's units (zero without strokes).
   void bind_full() const { full_.bind(); }
   /// Input 0: position vec3, tightly packed.
   void bind_positions() const { positions_only_.bind(); }

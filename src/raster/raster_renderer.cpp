@@ -102,7 +102,7 @@ class RasterRenderer::Impl {
 Result<void> RasterRenderer::Impl::prepare(const Scene& scene, const Camera& camera, const AssetRoots& roots, int width,
                                            int height) {
   LUM_TRY(deep_, DeepFramebuffer::create(*device_, roots, meshes_, scene, camera, width, height,
-                                         {.strokes = style_.strokes, .lines = {}}));
+                                         {.strokes = style_.strokes, .radius = frame_.radius, .lines = {}}));
   if (!style_.ink_path.empty()) LUM_TRY_VOID(prepare_lines(scene, camera, roots));
   LUM_TRY(maps_, ShadowMaps::create(*device_, roots, meshes_));
   LUM_TRY(relight_, Relight::create(*device_, *types_, style_, roots));
@@ -149,7 +149,7 @@ Result<void> RasterRenderer::Impl::follow_lines(const ParamBlock& style) {
   if (!ruled_) return {};
   const LineSpec spec = line_spec(style);
   if (ruled_->drawn == spec) return {};
-  DeepExtras extras{.strokes = style_.strokes, .lines = {}};
+  DeepExtras extras{.strokes = style_.strokes, .radius = frame_.radius, .lines = {}};
   if (spec.any()) extras.lines = DeepLines{&ruled_->outlines, spec, frame_};
   ruled_->drawn.reset();
   LUM_TRY(deep_, DeepFramebuffer::create(*device_, ruled_->roots, meshes_, ruled_->scene, ruled_->camera,
@@ -338,7 +338,7 @@ Result<std::unique_ptr<RasterRenderer>> RasterRenderer::create(Device& device, c
   if (width <= 0 || height <= 0) {
     return Error{ErrorKind::kUsage, fmt::format("a picture of {} x {} pixels is empty", width, height), "", "size", ""};
   }
-  LUM_TRY(MeshBuffers meshes, MeshBuffers::create(device, scene));
+  LUM_TRY(MeshBuffers meshes, MeshBuffers::create(device, scene, style.strokes));
   auto impl = std::make_unique<Impl>(device, types, style, scene.frame(), std::move(meshes));
   LUM_TRY_VOID(impl->prepare(scene, camera, roots, width, height));
   return std::unique_ptr<RasterRenderer>(new RasterRenderer(std::move(impl)));

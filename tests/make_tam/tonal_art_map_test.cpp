@@ -30,11 +30,11 @@ class TonalArtMapTest : public testing::TestWithParam<const char*> {
   /// Share of a grid of places that is inked.
   [[nodiscard]] double ink(double darkness, double lod) const {
     constexpr int kSide = 331;
+    const float limit = inked_to(table_, darkness, lod);
     int inked = 0;
     for (int j = 0; j < kSide; ++j) {
       for (int i = 0; i < kSide; ++i) {
-        const float t = map_.threshold((i + 0.3) / kSide, (j + 0.6) / kSide, lod);
-        inked += toned(table_, t, lod) <= darkness ? 1 : 0;
+        inked += map_.threshold((i + 0.3) / kSide, (j + 0.6) / kSide, lod) <= limit ? 1 : 0;
       }
     }
     return inked / static_cast<double>(kSide * kSide);

@@ -121,25 +121,25 @@ Image tone_table(const TonalArtMap& map) {
   constexpr int kColumns = 256;
   constexpr int kSide = 700;  // no multiple of the tile's texels, so that all places between them count
   Image table(kColumns, kRows, 1);
+  std::vector<float> thresholds(static_cast<std::size_t>(kSide) * kSide);
   for (int row = 0; row < kRows; ++row) {
-    std::vector<double> count(kColumns + 1, 0.0);
     for (int j = 0; j < kSide; ++j) {
       for (int i = 0; i < kSide; ++i) {
-        const float t = map.threshold((i + 0.5) / kSide, (j + 0.5) / kSide, row / 8.0);
-        ++count[static_cast<std::size_t>(std::clamp(std::ceil(t * 255.0F), 0.0F, 255.0F))];
+        thresholds[static_cast<std::size_t>(j * kSide + i)] =
+            map.threshold((i + 0.5) / kSide, (j + 0.5) / kSide, row / 8.0);
       }
     }
-    double sum = 0.0;
+    std::ranges::sort(thresholds);
     for (int x = 0; x < kColumns; ++x) {
-      sum += count[static_cast<std::size_t>(x)];
-      table.at(x, row, 0) = static_cast<float>(sum / (static_cast<double>(kSide) * kSide));
+      const double place = x / 255.0 * static_cast<double>(thresholds.size() - 1);
+      table.at(x, row, 0) = x == 0 ? 0.0F : thresholds[static_cast<std::size_t>(place)];
     }
   }
   return table;
 }
 
-float toned(const Image& table, float threshold, double lod) {
-  const double x = std::clamp(threshold * 255.0F, 0.0F, 255.0F);
+float inked_to(const Image& table, double darkness, double lod) {
+  const double x = std::clamp(darkness * 255.0, 0.0, 255.0);
   const double y = std::clamp(lod * 8.0, 0.0, table.height - 1.0);
   const int i = std::min(static_cast<int>(x), table.width - 2);
   const int j = std::min(static_cast<int>(y), table.height - 2);
@@ -160,12 +160,13 @@ Image contact_sheet(const TonalArtMap& map, const Image& table) {
     const double texels = TonalArtMap::kSize / std::exp2(lod);
     for (int x = 0; x < sheet.width; ++x) {
       const double darkness = static_cast<double>(x + 0.5) / sheet.width;
+      const float limit = inked_to(table, darkness, lod);
       float ink = 0.0F;
       for (int s = 0; s < kSub * kSub; ++s) {
         const double u = (x + (s % kSub + 0.5) / kSub) / texels;
         const double v = (y + (s / kSub + 0.5) / kSub) / texels;
-        const float t = toned(table, map.threshold(u - std::floor(u), v - std::floor(v), lod), lod);
-        ink += t <= darkness ? 1.0F / (kSub * kSub) : 0.0F;
+        const bool inked = map.threshold(u - std::floor(u), v - std::floor(v), lod) <= limit;
+        ink += inked ? 1.0F / (kSub * kSub) : 0.0F;
       }
       sheet.at(x, y, 0) = 1.0F - ink;
     }

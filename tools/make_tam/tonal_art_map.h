@@ -61,13 +61,13 @@ struct TonalArtMap {
 /// Draws a map. Same kind and seed, same bits. cost seconds.
 TonalArtMap make_tonal_art_map(const StrokeKind& kind, std::uint64_t seed);
 
-/// What interpolation does to the distribution of thresholds: [8 * (kLevels - 1) + 1] rows for lod = row / 8, 256
-/// columns: the share of the tile whose threshold is at most column / 255. Thresholds that went through it are evenly
-/// distributed again, so that mean ink is the darkness at every lod.
+/// What undoes that interpolation draws thresholds together: [8 * (kLevels - 1) + 1] rows for lod = row / 8, 256 columns:
+/// the threshold that is exceeded by all but a share column / 255 of the tile. A place is inked at a darkness if its
+/// threshold is at most the table's, and mean ink is the darkness at every lod.
 Image tone_table(const TonalArtMap& map);
 
-/// A threshold after the table, as the engine reads it: bilinear.
-float toned(const Image& table, float threshold, double lod);
+/// Up to which threshold a darkness inks, as the engine reads it: bilinear.
+float inked_to(const Image& table, double darkness, double lod);
 
 /// Tones from white to black beside each other, levels of detail below each other, as they look in use.
 Image contact_sheet(const TonalArtMap& map, const Image& table);
