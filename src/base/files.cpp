@@ -122,7 +122,8 @@ fs::path cache_folder() {
   if (const char* caches = std::getenv("XDG_CACHE_HOME"); caches != nullptr && *caches == '/') {
     return fs::path(caches) / "luminist";
   }
-  if (const char* home = std::getenv("HOME"); home != nullptr && *home == '/') return fs::path(home) / ".cache/luminist";
+  if (const char* home = std::getenv("HOME"); home != nullptr && *home == '/')
+    return fs::path(home) / ".cache/luminist";
   return {};
 }
 

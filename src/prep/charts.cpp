@@ -250,6 +250,8 @@ std::array<Region, 2> halves_of(const SurfaceSides& sides, const Region& region,
                                 const std::vector<glm::dvec2>& features) {
   LUM_CHECK(region.size() >= 2, "one triangle needs no halves");
   Merging merging(sides, region, features);
+  // First without crumbs, which a torn chart would otherwise shed one by one.
+  merging.run({.small = ChartOptions{}.tiny, .fewest = 2});
   merging.run({.fewest = 2});
   const std::vector<std::uint32_t> number = merging.numbers();
   std::array<Region, 2> halves;

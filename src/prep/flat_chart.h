@@ -17,7 +17,7 @@ struct FlatChart {
 };
 
 struct FlatteningLimits {
-  double stretch = 1.1;    ///< Distortion::stretch of a chart: 1.1 is lengths that are off by a third on average
+  double stretch = 1.04;   ///< Distortion::stretch of a chart: lengths are off by a fifth, root mean square
   double coherence = 0.6;  ///< charts that have less are divided
   double smallest = 0.01;  ///< but not for that if they are below this share of their piece's area
 };

@@ -19,6 +19,11 @@ constexpr double kReach = 0.07;
 /// Directions of the default have this share of the say of full curvature, so that they decide where there is none.
 constexpr double kDefaultSay = 1e-4;
 
+/// Turns beyond this (radians) are edges, not curvature: no stroke runs over them, and what is on one side need not
+/// agree with the other.
+constexpr double kEdge = 0.87;
+constexpr double kOverEdges = 0.01;  ///< what is left of the say and the agreement there
+
 /// The axis that strokes run around where nothing bends: the longest of the surface, or up where it has no longest.
 glm::dvec3 longest_axis(const WeldedMesh& surface, const SurfaceSides& sides) {
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -59,6 +64,10 @@ class FieldSystem {
   FieldSystem(const WeldedMesh& surface, const SurfaceSides& sides)
       : surface_(&surface), sides_(&sides), curvature_(curvature_of(surface, sides)) {
     for (const glm::dvec3& n : curvature_.normals) frames_.push_back(tangent_frame_of(n));
+    is_edge_.assign(frames_.size(), 0);
+    for (std::uint32_t s = 0; s < sides.turns.size(); ++s) {
+      if (std::abs(sides.turns[s]) > kEdge) is_edge_[surface.triangles[s / 3][s % 3]] = 1;
+    }
     add_wishes();
   }
 
@@ -79,12 +88,14 @@ class FieldSystem {
       if (!std::isfinite(length) || length == 0.0) z = 1.0, length = 0.0;
       const double angle = 0.5 * std::arg(z);
       result.directions.push_back(std::cos(angle) * frames_[v].t + std::sin(angle) * frames_[v].b);
-      result.confidence.push_back(std::min(length, 1.0));
+      result.confidence.push_back(std::min(length, 1.0) * share_of(v));
     }
     return result;
   }
 
  private:
+  [[nodiscard]] double share_of(std::size_t position) const { return is_edge_[position] != 0 ? kOverEdges : 1.0; }
+
   void add_wishes() {
     wishes_.resize(frames_.size());
     const glm::dvec3 axis = longest_axis(*surface_, *sides_);
@@ -93,7 +104,7 @@ class FieldSystem {
       const double share = sides_->areas[f] / (3.0 * kReach * kReach * size * size);
       for (const std::uint32_t v : surface_->triangles[f]) {
         const double bend = (std::abs(curvature_.largest[v]) - std::abs(curvature_.other[v])) * size;
-        const double say = share * (std::isfinite(bend) ? bend / (1.0 + bend) : 0.0);
+        const double say = share_of(v) * share * (std::isfinite(bend) ? bend / (1.0 + bend) : 0.0);
         wishes_[v].direction += say * doubled(curvature_.directions[v], frames_[v]);
         const glm::dvec3 around = glm::cross(axis, curvature_.normals[v]);
         wishes_[v].direction += kDefaultSay * share * doubled(around, frames_[v]);
@@ -111,7 +122,7 @@ class FieldSystem {
       for (std::size_t k = 0; k < 3; ++k) {
         const std::uint32_t a = t[(k + 1) % 3];
         const std::uint32_t b = t[(k + 2) % 3];
-        const double w = weight_opposite(f, k);
+        const double w = weight_opposite(f, k) * std::min(share_of(a), share_of(b));
         // Where a's first axis comes to lie at b: its doubled angle turns a's directions into b's.
         const glm::dvec3 axis = transported(frames_[a].t, curvature_.normals[a], curvature_.normals[b]);
         Complex turn = doubled(axis, frames_[b]);
@@ -142,6 +153,7 @@ class FieldSystem {
   Curvature curvature_;
   std::vector<TangentFrame> frames_;  ///< [positions]
   std::vector<Wish> wishes_;          ///< [positions]
+  std::vector<char> is_edge_;         ///< [positions]
 };
 
 }  // namespace

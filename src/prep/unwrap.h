@@ -9,7 +9,7 @@ namespace luminist {
 
 struct UnwrapOptions {
   ChartOptions charts;
-  double stretch = 1.1;    ///< most of a chart, see Distortion
+  double stretch = 1.04;   ///< most of a chart, see Distortion
   std::uint64_t seed = 1;  ///< of the charts' offsets
 };
 

@@ -97,24 +97,25 @@ SourceChunk textures_chunk(const Style& style) {
   return {"<generated textures>", text};
 }
 
-/// lum_background(), where nothing is: the style's parameter of that role. lum_shade(s): the style, with lines over it where it has them. A line's colour is part of what is left without
-/// lights, or multiplies what the lights do there, as far as its author says.
+/// lum_background(), where nothing is: the style's parameter of that role. lum_shade(s): the style, with lines over it
+/// where it has them. A line's colour is part of what is left without lights, or multiplies what the lights do there,
+/// as far as its author says.
 SourceChunk shading_chunk(const Style& style) {
   const auto background = style.schema->by_role("background");
   const std::string color = background ? "style." + (*style.schema)[*background].name : "vec3(0.0)";
-  const std::string empty = fmt::format(
-      "vec3 lum_background() {{ return lum_candidate.z == LUM_NONE ? vec3(0.0) : {}; }}\n", color);
+  const std::string empty =
+      fmt::format("vec3 lum_background() {{ return lum_candidate.z == LUM_NONE ? vec3(0.0) : {}; }}\n", color);
   if (style.ink_path.empty()) {
     return {"<generated shading>", empty + "vec3 lum_shade(Surface s) { return shade(s); }\n"};
   }
   return {"<generated shading>",
           empty +
-          "vec3 lum_shade(Surface s) {\n"
-          "  if (s.line == LINE_NONE) return shade(s);\n"
-          "  vec4 lum_ink = ink(s);\n"
-          "  vec3 lit = lum_ink.a != 0.0 ? lum_ink.a * lum_ink.rgb * shade(s) : vec3(0.0);\n"
-          "  return lum_candidate.z == LUM_NONE ? lit : lit + (1.0 - lum_ink.a) * lum_ink.rgb;\n"
-          "}\n"};
+              "vec3 lum_shade(Surface s) {\n"
+              "  if (s.line == LINE_NONE) return shade(s);\n"
+              "  vec4 lum_ink = ink(s);\n"
+              "  vec3 lit = lum_ink.a != 0.0 ? lum_ink.a * lum_ink.rgb * shade(s) : vec3(0.0);\n"
+              "  return lum_candidate.z == LUM_NONE ? lit : lit + (1.0 - lum_ink.a) * lum_ink.rgb;\n"
+              "}\n"};
 }
 
 /// A file outside the asset roots (a style or a light type knows its own path).

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "bench/figure6.h"
+#include "bench/prep.h"
 #include "bench/recover.h"
 #include "bench/removal.h"
 #include "bench/scaling.h"
@@ -108,6 +109,14 @@ void add_scaling(CLI::App& app, Run& run) {
             0);
 }
 
+/// Needs no device. returns whether it was asked for, once the words are parsed.
+std::function<bool()> add_prep(CLI::App& app, PrepOptions& options) {
+  CLI::App* bench = app.add_subcommand("prep", "meshes are repaired and unwrapped: charts, distortion, time");
+  bench->add_flag("--json", options.json, "one JSON object a line");
+  bench->add_option("--meshes", options.meshes, "a folder, searched with those below; without it, generated meshes");
+  return [bench] { return bench->parsed(); };
+}
+
 int fail(const Error& error) {
   std::fprintf(stderr, "luminist-bench: %s\n", error.message().c_str());
   return static_cast<int>(error.kind);
@@ -124,7 +133,13 @@ int main(int argc, char** argv) {
   luminist::add_painted(app, run);
   luminist::add_scaling(app, run);
   luminist::add_recover(app, run);
+  luminist::PrepOptions prep;
+  const auto wants_prep = luminist::add_prep(app, prep);
   CLI11_PARSE(app, argc, argv);
+  if (wants_prep()) {
+    const auto done = luminist::run_prep(prep);
+    return done ? 0 : luminist::fail(done.error());
+  }
   auto device = luminist::Device::create_headless();
   if (!device) return luminist::fail(device.error());
   const auto done = run(*device);

@@ -2,6 +2,7 @@
 
 #include "cli/program.h"
 #include "image_io/image_io.h"
+#include "scene/scene.h"
 
 namespace luminist {
 namespace {
@@ -33,6 +34,24 @@ TEST_F(CliTest, PrepSaysWhatWasWrongWithAMesh) {
   expect_error(luminist("prep none.obj"), 4);
   expect_error(luminist("prep broken.obj -o repaired.obj"), 2);
   EXPECT_FALSE(exists("repaired.obj")) << "a glTF under another name is nothing that anybody reads";
+}
+
+TEST_F(CliTest, PrepUnwrapsAMeshWithoutTextureCoordinatesAndDrawsTheAtlas) {
+  write("roof.obj", "v 0 0 0\nv 2 0 0\nv 2 1 1\nv 0 1 1\nv 2 2 0\nv 0 2 0\nf 1 2 3\nf 1 3 4\nf 4 3 5\nf 4 5 6\n");
+  const Outcome outcome = luminist("prep roof.obj --draw roof.png -o roof.glb --json");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const auto report = nlohmann::json::parse(outcome.out.substr(0, outcome.out.find('\n')), nullptr, false);
+  ASSERT_TRUE(report.is_object()) << outcome.out;
+  EXPECT_EQ(report["unwrap"]["charts"], 2) << "the ridge is sharp";
+  EXPECT_EQ(report["unwrap"]["flipped"], 0);
+  LUM_ASSERT_OK(const Image drawing, read_image(folder_.file("roof.png")));
+  EXPECT_EQ(drawing.width, drawing.height);
+  Diagnostics diagnostics;
+  LUM_ASSERT_OK(const Scene scene, load_scene(folder_.file("roof.glb"), {}, diagnostics));
+  ASSERT_EQ(scene.meshes.size(), 1U);
+  EXPECT_EQ(scene.meshes[0].positions.size(), 8U) << "two of each end of the ridge";
+  EXPECT_EQ(scene.meshes[0].uvs.size(), 8U);
+  expect_error(luminist("prep roof.obj --draw roof.jpg"), 2);
 }
 
 }  // namespace

@@ -29,8 +29,8 @@ class HatchingTest : public testing::Test {
     LUM_ASSERT_OK(renderer_, RasterRenderer::create(*device_, scene, camera, *types_, *style_, AssetRoots::standard(),
                                                     kWidth, kHeight));
     state_ = initial_state(*types_, *style_, renderer_->frame());
-    for (const char* setting : {"style/ink=0,0,0", "style/paper=1,1,1", "style/contrast=1", "style/albedo=0",
-                                "style/size=0.004"}) {
+    for (const char* setting :
+         {"style/ink=0,0,0", "style/paper=1,1,1", "style/contrast=1", "style/albedo=0", "style/size=0.004"}) {
       set(setting);
     }
   }
@@ -96,7 +96,8 @@ TEST_F(HatchingTest, StrokesAreAsDenseNearAsFar) {
     set_ambient(0.7);
     const std::vector<float> values = ink();
     int edges = 0;
-    for (std::size_t i = kWidth; i < values.size(); ++i) edges += (values[i] > 0.5F) != (values[i - kWidth] > 0.5F) ? 1 : 0;
+    for (std::size_t i = kWidth; i < values.size(); ++i)
+      edges += (values[i] > 0.5F) != (values[i - kWidth] > 0.5F) ? 1 : 0;
     for (std::size_t i = 1; i < values.size(); ++i) edges += (values[i] > 0.5F) != (values[i - 1] > 0.5F) ? 1 : 0;
     return static_cast<double>(edges);
   };
@@ -135,7 +136,8 @@ TEST_F(HatchingTest, ATurningLightMovesNoMoreInkThanTone) {
     const double angle = 0.1 * step;
     const Vec3 from(5.0 * std::sin(angle), 4.0, 5.0 * std::cos(angle));
     set("lights/key/position=" + std::to_string(from.x) + "," + std::to_string(from.y) + "," + std::to_string(from.z));
-    set("lights/key/direction=" + std::to_string(-from.x) + "," + std::to_string(-from.y) + "," + std::to_string(-from.z));
+    set("lights/key/direction=" + std::to_string(-from.x) + "," + std::to_string(-from.y) + "," +
+        std::to_string(-from.z));
     const std::vector<float> now = ink();
     const std::vector<float> tone = darkness();
     for (std::size_t i = 0; i < now.size() && step > 0; ++i) {
@@ -146,8 +148,8 @@ TEST_F(HatchingTest, ATurningLightMovesNoMoreInkThanTone) {
     last_tone = tone;
   }
   ASSERT_GT(toned, 1000.0);
-  // A threshold is crossed once for each change of tone by one: ink that flickered would move more. The tone of a sample
-  // has the rays' shadows, that of the picture the maps'.
+  // A threshold is crossed once for each change of tone by one: ink that flickered would move more. The tone of a
+  // sample has the rays' shadows, that of the picture the maps'.
   EXPECT_LT(inked, 1.25 * toned);
 }
 

@@ -61,9 +61,9 @@ struct TonalArtMap {
 /// Draws a map. Same kind and seed, same bits. cost seconds.
 TonalArtMap make_tonal_art_map(const StrokeKind& kind, std::uint64_t seed);
 
-/// What undoes that interpolation draws thresholds together: [8 * (kLevels - 1) + 1] rows for lod = row / 8, 256 columns:
-/// the threshold that is exceeded by all but a share column / 255 of the tile. A place is inked at a darkness if its
-/// threshold is at most the table's, and mean ink is the darkness at every lod.
+/// What undoes that interpolation draws thresholds together: [8 * (kLevels - 1) + 1] rows for lod = row / 8, 256
+/// columns: the threshold that is exceeded by all but a share column / 255 of the tile. A place is inked at a darkness
+/// if its threshold is at most the table's, and mean ink is the darkness at every lod.
 Image tone_table(const TonalArtMap& map);
 
 /// Up to which threshold a darkness inks, as the engine reads it: bilinear.
