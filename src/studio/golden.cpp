@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "image_io/image_io.h"
+#include "render/metric.h"
 #include "studio/heat_map.h"
 #include "studio/stage.h"
 
@@ -157,13 +158,16 @@ Result<GoldenOutcome> run_golden(Device& device, const AssetRoots& roots, const 
   if (!reference) return std::move(reference).error();
   outcome.has_reference = true;
   LUM_TRY(picture, read_image(file));  // both went through the file's half floats
-  outcome.difference = compare_pictures(picture, *reference);
+  const StyleMetric metric = golden.blurred ? stage->style.metric : StyleMetric{};
+  const Image seen = as_compared(picture, metric);
+  const Image wanted = as_compared(*reference, metric);
+  outcome.difference = compare_pictures(seen, wanted);
   judge(outcome);
   Image map;
   std::vector<ImageFile> files = {{in_output(".reference.png"), &*reference}};
   if (picture.same_size(*reference) && picture.channels == reference->channels) {
-    outcome.worst = worst_pixels(picture, *reference, kWorstPixels);
-    map = heat_map(difference_map(picture, *reference), static_cast<float>(std::max(golden.max_difference, 1e-3)));
+    outcome.worst = worst_pixels(seen, wanted, kWorstPixels);
+    map = heat_map(difference_map(seen, wanted), static_cast<float>(std::max(golden.max_difference, 1e-3)));
     files.push_back({in_output(".difference.png"), &map});
   }
   LUM_TRY_VOID(write_images(files));

@@ -123,6 +123,7 @@ Result<GoldenCase> read_golden(const TomlValue& table, const Style& style, const
   golden.set = read.strings("set");
   golden.max_difference = read_difference(read, "max_difference");
   golden.mean_difference = read_difference(read, "mean_difference");
+  golden.blurred = read.boolean("blurred", false);
   golden.reason = read.string("reason");
   if (golden.reason.empty()) read.fail("reason", "the differences need a reason");
   if (golden.name.empty() || golden.name.find('/') != std::string::npos) {
