@@ -41,7 +41,7 @@ struct GoldenCase {
   double max_difference = 0.0;   ///< of any channel, absolute below 1 and relative above
   double mean_difference = 0.0;
   bool blurred = false;  ///< compared as the style's metric blurs it
-  std::string reason;  ///< why these two numbers; required
+  std::string reason;    ///< why these two numbers; required
 };
 
 struct Style {
