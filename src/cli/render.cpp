@@ -1,10 +1,14 @@
 #include <CLI/CLI.hpp>
+#include <chrono>
 #include <memory>
+#include <thread>
+#include <utility>
 
 #include "cli/shot_words.h"
 #include "image_io/image_io.h"
 #include "studio/constraint_words.h"
 #include "studio/stage.h"
+#include "studio/style_reload.h"
 
 namespace luminist {
 namespace {
@@ -12,7 +16,32 @@ namespace {
 struct Words {
   ShotWords shot;
   std::string output;
+  bool watch = false;
 };
+
+/// Renders again whenever a file of the style is written, until a signal ends it; a version with a mistake is reported,
+/// and the last good picture stays.
+int watch(const Words& words, Stage& stage, ParamState state, VerbContext& context) {
+  const StopSignals::Grace grace(context.signals);
+  StyleFiles files(stage.style);
+  context.console.progress("watching " + stage.style.folder);
+  while (context.signals.stopped() == 0) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    if (!files.changed()) continue;
+    const auto draw = [&]() -> Result<void> {
+      LUM_TRY(ParamState next, reload_style(stage, context.roots, state));
+      LUM_TRY(const Image picture, stage.renderer->render(next));
+      state = std::move(next);
+      return write_image(words.output, picture);
+    };
+    if (const Result<void> drawn = draw(); drawn) {
+      context.console.result(words.output);
+    } else {
+      context.console.error(drawn.error());
+    }
+  }
+  return 0;
+}
 
 Result<int> render(const Words& words, VerbContext& context) {
   LUM_TRY(const Shot shot, shot_from(words.shot));
@@ -33,7 +62,7 @@ Result<int> render(const Words& words, VerbContext& context) {
   LUM_TRY(const Image picture, (*stage)->renderer->render(state));
   LUM_TRY_VOID(write_image(words.output, picture));
   context.console.result(words.output);
-  return 0;
+  return words.watch ? watch(words, **stage, std::move(state), context) : 0;
 }
 
 }  // namespace
@@ -42,6 +71,7 @@ Verb declare_render(CLI::App& app) {
   const auto words = std::make_shared<Words>();  // the parser and the returned function both use it
   declare_shot(app, words->shot);
   app.add_option("-o,--output", words->output, "Picture: .exr (linear) or .png")->required();
+  app.add_flag("--watch", words->watch, "Renders again whenever the style's files are written, until Ctrl-C");
   app.footer(
       "Examples:\n"
       "  luminist render meshes/still_life/still_life.glb -o dim.png\n"

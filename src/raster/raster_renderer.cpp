@@ -31,6 +31,7 @@ class RasterRenderer::Impl {
       : device_(&device), types_(&types), style_(style), frame_(frame), meshes_(std::move(meshes)) {}
 
   Result<void> prepare(const Scene& scene, const Camera& camera, const AssetRoots& roots, int width, int height);
+  Result<void> change_style(const Style& style, const AssetRoots& roots);
   /// The picture of the state in picture_. errors as render().
   Result<void> draw(const ParamState& state, const RenderOptions& options);
   Result<Image> read_picture() const;
@@ -124,6 +125,21 @@ Result<void> RasterRenderer::Impl::prepare(const Scene& scene, const Camera& cam
   LUM_TRY(picture_, storage(deep_->pixel_count() * sizeof(Vec4), "picture"));
   LUM_TRY(bad_, storage(sizeof(std::uint32_t), "pixels that are not finite"));
   return device_->check_errors("prepare the renderer");
+}
+
+Result<void> RasterRenderer::Impl::change_style(const Style& style, const AssetRoots& roots) {
+  if (style.strokes != style_.strokes || style.ink_path.empty() != style_.ink_path.empty()) {
+    return Error{ErrorKind::kUsage, fmt::format("the style \"{}\" now needs the scene prepared otherwise", style.name),
+                 style.folder, "strokes, ink", "open the shot again"};
+  }
+  LUM_TRY(Relight relight, Relight::create(*device_, *types_, style, roots));
+  relight_ = std::move(relight);
+  style_ = style;
+  table_ = relight_->make_table();
+  batch_.emplace(*device_, *relight_, *deep_, surface(), *types_, *rays_);
+  still_key_.clear();
+  picture_key_.clear();
+  return {};
 }
 
 Result<void> RasterRenderer::Impl::allocate_colors() {
@@ -344,18 +360,16 @@ Result<std::unique_ptr<RasterRenderer>> RasterRenderer::create(Device& device, c
   return std::unique_ptr<RasterRenderer>(new RasterRenderer(std::move(impl)));
 }
 
-const SurfaceBuffer& RasterRenderer::surface() const {
-  return impl_->surface();
+Result<void> RasterRenderer::change_style(const Style& style, const AssetRoots& roots) {
+  return impl_->change_style(style, roots);
 }
-SceneFrame RasterRenderer::frame() const {
-  return impl_->frame();
-}
-const Style& RasterRenderer::style() const {
-  return impl_->style();
-}
-const WorkCount& RasterRenderer::work() const {
-  return impl_->work();
-}
+
+// clang-format off
+const SurfaceBuffer& RasterRenderer::surface() const { return impl_->surface(); }
+SceneFrame RasterRenderer::frame() const { return impl_->frame(); }
+const Style& RasterRenderer::style() const { return impl_->style(); }
+const WorkCount& RasterRenderer::work() const { return impl_->work(); }
+// clang-format on
 
 Result<Image> RasterRenderer::render(const ParamState& state, const RenderOptions& options) {
   LUM_TRY_VOID(impl_->draw(state, options));

@@ -20,6 +20,11 @@ class RasterRenderer final : public Renderer {
                                                         const AssetRoots& roots, int width, int height);
   ~RasterRenderer() override;
 
+  /// Draws in another style, or a new version of it, from now on; states must have its parameters. What was prepared of
+  /// the scene stays. errors those of create(), and kUsage for a style that needs the scene prepared otherwise
+  /// (strokes, lines): nothing has changed then. cost compiling the style.
+  Result<void> change_style(const Style& style, const AssetRoots& roots);
+
   [[nodiscard]] const SurfaceBuffer& surface() const override;
   [[nodiscard]] SceneFrame frame() const override;
   [[nodiscard]] const Style& style() const override;

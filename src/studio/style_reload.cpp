@@ -1,0 +1,75 @@
+#include "studio/style_reload.h"
+
+#include <set>
+#include <utility>
+
+#include <fmt/format.h>
+
+namespace luminist {
+namespace {
+
+namespace fs = std::filesystem;
+
+bool same_default(const ParamSpec& spec, const ParamBlock& block, int param, const SceneFrame& frame) {
+  for (int i = 0; i < spec.components(); ++i) {
+    const double wanted = spec.stored(i, spec.default_value[static_cast<std::size_t>(i)], frame);
+    if (static_cast<float>(wanted) != static_cast<float>(block.get(param, i))) return false;
+  }
+  return true;
+}
+
+void carry_over(const ParamBlock& before, ParamBlock& now, const SceneFrame& frame) {
+  for (int param = 0; param < now.schema().size(); ++param) {
+    const ParamSpec& spec = now.schema()[param];
+    const auto old = before.schema().find(spec.name);
+    if (!old) continue;
+    const ParamSpec& was = before.schema()[*old];
+    if (was.type != spec.type || was.dofs() != spec.dofs() || was.choices != spec.choices) continue;
+    for (int i = 0; i < spec.dofs(); ++i) {
+      now.set_locked(spec.first_dof + i, before.locked_by_hand(was.first_dof + i));
+    }
+    if (same_default(was, before, *old, frame)) continue;
+    for (int i = 0; i < spec.components(); ++i) now.set(param, i, before.get(*old, i));
+  }
+}
+
+}  // namespace
+
+StyleFiles::StyleFiles(const Style& style) {
+  std::set<fs::path> folders{fs::path(style.folder)};
+  for (const std::string& path : {style.glsl_path, style.ink_path}) {
+    if (!path.empty()) folders.insert(fs::path(path).parent_path());
+  }
+  for (const StyleTexture& texture : style.textures) folders.insert(fs::path(texture.path).parent_path());
+  folders_.assign(folders.begin(), folders.end());
+  seen_ = times();
+}
+
+StyleFiles::Times StyleFiles::times() const {
+  Times result;
+  std::error_code error;
+  for (const fs::path& folder : folders_) {
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder, error)) {
+      if (entry.is_regular_file(error)) result[entry.path().string()] = entry.last_write_time(error);
+    }
+  }
+  return result;
+}
+
+bool StyleFiles::changed() {
+  Times now = times();
+  if (now == seen_) return false;
+  seen_ = std::move(now);
+  return true;
+}
+
+Result<ParamState> reload_style(Stage& stage, const AssetRoots& roots, const ParamState& state) {
+  LUM_TRY(Style style, load_style(roots, stage.style.name));
+  LUM_TRY_VOID(stage.renderer->change_style(style, roots));
+  ParamState next{state.rig, ParamBlock(style.schema, stage.frame)};
+  carry_over(state.style, next.style, stage.frame);
+  stage.style = std::move(style);
+  return next;
+}
+
+}  // namespace luminist

@@ -1,0 +1,32 @@
+#pragma once
+// studio/style_reload.h -- a style that is edited while it is looked at.
+#include <filesystem>
+#include <map>
+#include <string>
+
+#include "studio/stage.h"
+
+namespace luminist {
+
+/// Remembers when the files of a style were written: manifests, GLSL, textures.
+class StyleFiles {
+ public:
+  explicit StyleFiles(const Style& style);
+  /// Whether one was written, added or removed since the last look (or since this was made).
+  [[nodiscard]] bool changed();
+
+ private:
+  using Times = std::map<std::string, std::filesystem::file_time_type>;
+  [[nodiscard]] Times times() const;
+
+  std::vector<std::filesystem::path> folders_;
+  Times seen_;
+};
+
+/// Reads the stage's style again and compiles it in place; scene, shadows and paint stay. A parameter keeps its value
+/// and locks if it is there still with the same type, unless it had the old default: then it gets the new one.
+/// errors kStyle at the author's line, and the stage is as it was: the last good version stays. kUsage for a style that
+/// now unwraps meshes or draws lines and did not before, or the reverse: open the shot again.
+Result<ParamState> reload_style(Stage& stage, const AssetRoots& roots, const ParamState& state);
+
+}  // namespace luminist
