@@ -16,11 +16,12 @@ constexpr int kIdleRounds = 3;        // a whole cycle: around the best, around 
 constexpr int kScouts = 5;            // explorations before the first picture...
 constexpr int kIdleScouts = 2;        // ...fewer if so many in a row gain little...
 constexpr double kScoutGain = 0.1;
-constexpr double kClear = 0.15;    // ...or few samples are this near to the target, of the start's distance
-constexpr double kFar = 0.3;       // of the start's distance: wide shadows lead
-constexpr double kHopeless = 1.2;  // times the cost at home: not worth the sharpest
-constexpr std::size_t kPool = 24;  // variants that descend
-constexpr int kSimplexSlice = 25;  // points in one step
+constexpr double kGlanceGain = 0.02;  // worth a picture before the search goes on
+constexpr double kClear = 0.15;       // ...or few samples are this near to the target, of the start's distance
+constexpr double kFar = 0.3;          // of the start's distance: wide shadows lead
+constexpr double kHopeless = 1.2;     // times the cost at home: not worth the sharpest
+constexpr std::size_t kPool = 24;     // variants that descend
+constexpr int kSimplexSlice = 25;     // points in one step
 constexpr double kSimplexSize = 0.1;
 constexpr int kFew = 9;  // degrees of freedom besides colours
 
@@ -64,7 +65,7 @@ Result<void> FastSolver::prepare(std::shared_ptr<const EdgeMask> edges) {
   focus_ = sum / static_cast<float>(std::max(1, levels_[kSoft].cells.size()));
   int turning = 0;
   for (const Dof& dof : objective_.map().list()) {
-    if (parts_.scaled_by(dof) >= 0) continue;
+    if (parts_.color_of(dof) >= 0) continue;
     if (start.blocks()[static_cast<std::size_t>(dof.block)]->schema()[dof.param].role == "color") continue;
     if (free_blocks_.empty() || free_blocks_.back() != dof.block) free_blocks_.push_back(dof.block);
     ++turning;
@@ -222,11 +223,26 @@ Result<void> FastSolver::look_again() {
   }
   if (scouted_->cost > kClear * near_start_ && scouts_ < kScouts && idle_scouts_ < kIdleScouts &&
       !free_blocks_.empty()) {
+    if (gain > kGlanceGain) LUM_TRY_VOID(glance());
+    if (good_enough()) {
+      phase_ = Phase::kDone;
+      return {};
+    }
     begin_exploration(scouted_->state, scouts_ == 0 && scouted_->cost > kFar * near_start_ ? kScout : kNear);
     ++scouts_;
     return {};
   }
   begin_descents({{scouted_->state}}, kFromSharp);
+  return {};
+}
+
+Result<void> FastSolver::glance() {
+  constexpr double kReach = 1.2;  // times a stated goal, on samples: farther away the picture does not reach it
+  const double until = progress_->options().until;
+  if (until > 0.0 && scouted_->cost > kReach * until) return {};
+  objective_.recentre(scouted_->state);
+  LUM_TRY(const double epsilon, objective_.evaluate(objective_.unit(scouted_->state)));
+  progress_->record(scouted_->state, epsilon);
   return {};
 }
 

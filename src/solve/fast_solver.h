@@ -56,6 +56,9 @@ class FastSolver final : public Solver {
   Result<void> end_stage();
   /// Before many cells are descended on for the first time: tries the other way, or explores, unless enough was tried.
   Result<void> look_again();
+  /// Compares what few samples have come to on the full picture, before the search goes on: a painting leaves
+  /// an error that only the picture tells from a bad light, and whoever waits sees something.
+  Result<void> glance();
   [[nodiscard]] std::span<const FastStage> first_plan() const {
     return few_ ? std::span<const FastStage>(kFirstOfFew) : kFirst;
   }

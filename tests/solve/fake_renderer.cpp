@@ -26,6 +26,25 @@ ParamSpec number(const std::string& name, double value, double low, double high)
   return spec;
 }
 
+ParamSpec color(const std::string& name, double value) {
+  ParamSpec spec = number(name, value, 0.0, 2.0);
+  spec.type = ParamType::kColor;
+  spec.default_value.assign(3, value);
+  spec.range_min.assign(3, 0.0);
+  spec.range_max.assign(3, 2.0);
+  spec.role = "color";
+  spec.solve = true;
+  return spec;
+}
+
+std::vector<ParamSpec> specs_of(FakeStyle style) {
+  std::vector<ParamSpec> specs{number("threshold", 0.4, 0.0, 1.0), number("dark", 0.2, 0.0, 1.0)};
+  if (style != FakeStyle::kTwoTone && style != FakeStyle::kGlowing) return specs;
+  specs.push_back(color("bright", 1.0));
+  specs.push_back(color("shade", 0.2));
+  return specs;
+}
+
 LightTypes load_types() {
   auto types = LightTypes::load(AssetRoots::standard());
   LUM_CHECK(types.has_value(), "tests run where shaders/light is found");
@@ -48,7 +67,7 @@ FakeRenderer::FakeRenderer(int width, int height, FakeStyle style) : types_(load
               {{1.4F, 0.3F, 0.1F}, 0.3F, {0.8F, 0.8F, 0.3F}}};
   style_.name = "fake";
   style_.lights = style == FakeStyle::kToon ? LightCombination::kJoint : LightCombination::kSum;
-  auto schema = ParamSchema::create({number("threshold", 0.4, 0.0, 1.0), number("dark", 0.2, 0.0, 1.0)}, "fake");
+  auto schema = ParamSchema::create(specs_of(style), "fake");
   LUM_CHECK(schema.has_value(), "the fake's schema is valid");
   style_.schema = *schema;
   surface_.width = width;
@@ -167,6 +186,13 @@ Vec3 FakeRenderer::light_term(const LightValues& light, const ParamState& state,
   }
   Vec3 color = light.color;
   if (kind_ == FakeStyle::kTinted) color = 0.5F * color + Vec3(0.5F * (color.x * color.x + color.y) / 2.0F);
+  if (kind_ == FakeStyle::kTwoTone || kind_ == FakeStyle::kGlowing) {
+    const float width = std::max(softness.threshold, 0.02F);
+    Vec3 bright = state.style.vec3(2);
+    if (kind_ == FakeStyle::kGlowing) bright *= bright;
+    color *= glm::mix(state.style.vec3(3), bright, ramp(state.style.scalar(0) - width, 2.0F * width, facing));
+    facing = 1.0F;
+  }
   return surface_.albedo[pixel] * color * (facing * strength);
 }
 
