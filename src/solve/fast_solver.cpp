@@ -45,13 +45,10 @@ Result<std::unique_ptr<FastSolver>> FastSolver::create(Renderer& renderer, const
 
 Result<void> FastSolver::prepare(std::shared_ptr<const EdgeMask> edges) {
   const ParamState& start = progress_->best();
-  Target blurred;
   const StyleMetric& metric = renderer_->style().metric;
-  if (metric.blur > 0.0F) {
-    blurred = *target_;
-    blurred.color = as_compared(target_->color, metric);
-  }
-  const CellSampler sampler(renderer_->surface(), metric.blur > 0.0F ? blurred : *target_, std::move(edges));
+  Target seen;
+  if (metric.blur > 0.0F) seen = as_compared(*target_, metric);
+  const CellSampler sampler(renderer_->surface(), metric.blur > 0.0F ? seen : *target_, std::move(edges));
   levels_ = fast_levels(sampler, metric.blur, progress_->options().seed);
   LUM_TRY(parts_, PictureParts::create(*renderer_, start, levels_[kScout].cells.samples));
   LUM_TRY(const auto still, shown(start, objective_.moving()));

@@ -70,6 +70,7 @@ FakeRenderer::FakeRenderer(int width, int height, FakeStyle style) : types_(load
   auto schema = ParamSchema::create(specs_of(style), "fake");
   LUM_CHECK(schema.has_value(), "the fake's schema is valid");
   style_.schema = *schema;
+  if (style == FakeStyle::kDotted) style_.metric.blur = 0.06F;  // over several dots
   surface_.width = width;
   surface_.height = height;
   surface_.eye = Vec3(0.0F, 1.8F, 5.0F);
@@ -211,7 +212,10 @@ Result<Image> FakeRenderer::render(const ParamState& state, const RenderOptions&
   for (const Light& light : state.rig.lights) lights.push_back(read(light));
   Image image(surface_.width, surface_.height, 3);
   for (std::size_t i = 0; i < image.pixels(); ++i) {
-    image.set_rgb(i, shade(state, lights, Candidate::kAllLights, i, {}, options.shadows));
+    const Vec3 color = shade(state, lights, Candidate::kAllLights, i, {}, options.shadows);
+    const std::size_t row = i / static_cast<std::size_t>(surface_.width);
+    const bool gap = kind_ == FakeStyle::kDotted && (i % 4 != 0 || row % 4 != 0);
+    image.set_rgb(i, kind_ != FakeStyle::kDotted ? color : gap ? Vec3(0.0F) : 16.0F * color);
   }
   const double work = static_cast<double>(image.pixels()) * static_cast<double>(lights.size());
   work_.shades += work;

@@ -13,6 +13,7 @@ enum class FakeStyle {
   kToon,     ///< Lambert cut at a threshold (style parameters threshold, dark), kJoint
   kTwoTone,  ///< Lambert cut at a threshold, kSum: the colours `bright` and `shade` on either side, both unlocked
   kGlowing,  ///< as kTwoTone, but the square of `bright` counts: the picture is not linear in it
+  kDotted,   ///< as kMatte, in bright dots on black; its metric blurs
   kTinted,   ///< says kSum, but a light's channels mix: its part is not linear channel by channel
 };
 
