@@ -1,5 +1,6 @@
 #include "solve/fake_renderer.h"
 
+#include <array>
 #include <cmath>
 
 #include "render/metric.h"
@@ -65,7 +66,8 @@ FakeRenderer::FakeRenderer(int width, int height, FakeStyle style) : types_(load
               {{0.5F, 0.45F, 0.4F}, 0.45F, {0.4F, 0.7F, 0.5F}},
               {{0.2F, 0.8F, -0.9F}, 0.8F, {0.5F, 0.5F, 0.8F}},
               {{1.4F, 0.3F, 0.1F}, 0.3F, {0.8F, 0.8F, 0.3F}}};
-  style_.name = "fake";
+  static constexpr std::array<const char*, 6> kNames{"matte", "toon", "two-tone", "glowing", "dotted", "tinted"};
+  style_.name = kNames[static_cast<std::size_t>(style)];
   style_.lights = style == FakeStyle::kToon ? LightCombination::kJoint : LightCombination::kSum;
   auto schema = ParamSchema::create(specs_of(style), "fake");
   LUM_CHECK(schema.has_value(), "the fake's schema is valid");
