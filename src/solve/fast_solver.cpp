@@ -23,7 +23,8 @@ constexpr double kHopeless = 1.2;     // times the cost at home: not worth the s
 constexpr std::size_t kPool = 24;     // variants that descend
 constexpr int kSimplexSlice = 25;     // points in one step
 constexpr double kSimplexSize = 0.1;
-constexpr int kFew = 9;  // degrees of freedom besides colours
+constexpr float kWideBand = 0.3F;  // as on the softest level
+constexpr int kFew = 9;            // degrees of freedom besides colours
 
 }  // namespace
 
@@ -68,6 +69,18 @@ Result<void> FastSolver::prepare(std::shared_ptr<const EdgeMask> edges) {
     ++turning;
   }
   few_ = turning <= kFew;
+  return find_bands();
+}
+
+Result<void> FastSolver::find_bands() {
+  banded_ = std::ranges::any_of(parts_.colors(), [](const PartColor& color) { return color.of_style; });
+  const SampleSet& probe = levels_[kScout].cells.samples;
+  const Candidate start{&progress_->best()};
+  std::vector<Vec3> sharp(probe.pixels.size());
+  std::vector<Vec3> wide(probe.pixels.size());
+  LUM_TRY_VOID(renderer_->evaluate({&start, 1}, probe, {.shadow_rays = 1}, sharp));
+  LUM_TRY_VOID(renderer_->evaluate({&start, 1}, probe, {.threshold = kWideBand, .shadow_rays = 1}, wide));
+  banded_ = banded_ || sharp != wide;
   return {};
 }
 
@@ -220,9 +233,13 @@ Result<void> FastSolver::look_again() {
   }
   if (scouted_->cost > kClear * near_start_ && scouts_ < kScouts && idle_scouts_ < kIdleScouts &&
       !free_blocks_.empty()) {
-    if (gain > kGlanceGain) LUM_TRY_VOID(glance());
+    if (banded_ && gain > kGlanceGain) LUM_TRY_VOID(glance(*scouted_));
     if (good_enough()) {
       phase_ = Phase::kDone;
+      return {};
+    }
+    if (banded_ && few_) {
+      begin_round();
       return {};
     }
     begin_exploration(scouted_->state, scouts_ == 0 && scouted_->cost > kFar * near_start_ ? kScout : kNear);
@@ -233,13 +250,18 @@ Result<void> FastSolver::look_again() {
   return {};
 }
 
-Result<void> FastSolver::glance() {
+Result<void> FastSolver::glance(const CellPoint& point) {
   constexpr double kReach = 1.2;  // times a stated goal, on samples: farther away the picture does not reach it
   const double until = progress_->options().until;
-  if (until > 0.0 && scouted_->cost > kReach * until) return {};
-  objective_.recentre(scouted_->state);
-  LUM_TRY(const double epsilon, objective_.evaluate(objective_.unit(scouted_->state)));
-  progress_->record(scouted_->state, epsilon);
+  if (until > 0.0 && point.cost > kReach * until) return {};
+  const ParamState state = in_range(point.state, renderer_->frame(), focus_);  // a simplex leaves the ranges
+  objective_.recentre(state);
+  LUM_TRY(const double epsilon, objective_.evaluate(objective_.unit(state)));
+  const bool better = epsilon < progress_->report().epsilon;
+  progress_->record(state, epsilon);
+  if (better) {
+    LUM_TRY(incumbent_, problems_[kSharp].measure(state));
+  }
   return {};
 }
 
@@ -340,14 +362,20 @@ Result<void> FastSolver::explore() {
 
 Result<void> FastSolver::run_simplex() {
   if (!simplex_) {
-    const CellProblem& problem = problems_[few_ ? kExact : kNear];
+    const CellProblem& problem = problems_[few_ ? (banded_ ? kSharp : kExact) : kNear];
     LUM_TRY(const CellPoint here, problem.measure(incumbent_->state));
     const int block = free_blocks_[simplex_turn_++ % free_blocks_.size()];
     simplex_ = SampleSimplex::create(problem, here, block, focus_, kSimplexSize);
     LUM_CHECK(simplex_ != nullptr, "free blocks have something to turn besides colours");
   }
+  const double before = simplex_->best().cost;
   LUM_TRY(const bool more, simplex_->walk(kSimplexSlice));
-  if (more) return {};
+  if (more) {
+    const double gain = 1.0 - simplex_->best().cost / before;
+    if (banded_ && gain > kGlanceGain) LUM_TRY_VOID(glance(simplex_->best()));
+    if (good_enough()) phase_ = Phase::kDone;
+    return {};
+  }
   begin_descents({{simplex_->best().state}},
                  few_ ? std::span<const FastStage>(kPolish) : std::span(kNearSearch).subspan(1));
   simplex_.reset();
