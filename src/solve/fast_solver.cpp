@@ -376,7 +376,8 @@ Result<void> FastSolver::run_simplex() {
     if (good_enough()) phase_ = Phase::kDone;
     return {};
   }
-  begin_descents({{simplex_->best().state}},
+  // A simplex leaves the ranges, and a descent may stay where it begins.
+  begin_descents({{in_range(simplex_->best().state, renderer_->frame(), focus_)}},
                  few_ ? std::span<const FastStage>(kPolish) : std::span(kNearSearch).subspan(1));
   simplex_.reset();
   return {};
