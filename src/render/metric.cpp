@@ -44,6 +44,14 @@ Image as_compared(const Image& picture, const StyleMetric& metric) {
   return blurred(picture, metric.blur * static_cast<float>(picture.height));
 }
 
+Target as_compared(const Target& target, const StyleMetric& metric) {
+  Target seen = target;
+  if (metric.blur <= 0.0F) return seen;
+  seen.color = as_compared(target.color, metric);
+  seen.before = as_compared(target.before, metric);
+  return seen;
+}
+
 Image residual_map(const Image& picture, const Target& target) {
   check_sizes(picture, target);
   Image map(picture.width, picture.height, 1);

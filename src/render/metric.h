@@ -12,6 +12,8 @@ double picture_error(const Image& picture, const Target& target, const StyleMetr
 
 /// The picture as the metric compares it: blurred, if it blurs.
 Image as_compared(const Image& picture, const StyleMetric& metric);
+/// A target as the metric compares it: what is wanted and what was there before are blurred, if it blurs.
+Target as_compared(const Target& target, const StyleMetric& metric);
 
 /// I_i |T_i - R_i|_2, 1 channel: where the error is.
 Image residual_map(const Image& picture, const Target& target);

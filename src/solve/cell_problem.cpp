@@ -3,75 +3,22 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <list>
+#include <map>
 
+#include "base/check.h"
 #include "solve/objective.h"
 
 namespace luminist {
 namespace {
 
-/// The same rig with all colours that scale parts at one.
-ParamState whitened(const ParamState& state, std::span<const Part> parts) {
-  ParamState white = state;
-  for (const Part& part : parts) {
-    if (part.color_param >= 0) {
-      white.rig.lights[static_cast<std::size_t>(part.light)].params.set_vec3(part.color_param, Vec3(1.0F));
-    }
-  }
-  return white;
-}
-
-int color_param_of(const Light& light) {
-  const std::optional<int> param = light.params.schema().by_role("color");
-  if (!param || light.params.schema()[*param].type != ParamType::kColor) return -1;
-  return *param;
-}
-
-/// Whether each channel of a light's part is that channel of its colour times a number.
-Result<bool> scales(Renderer& renderer, const ParamState& state, const Part& part, const SampleSet& probe) {
-  const Vec3 color(2.0F, 0.5F, 0.0F);
-  std::array<ParamState, 2> states{state, state};
-  const auto light = static_cast<std::size_t>(part.light);
-  states[0].rig.lights[light].params.set_vec3(part.color_param, Vec3(1.0F));
-  states[1].rig.lights[light].params.set_vec3(part.color_param, color);
-  const std::array<Candidate, 2> candidates{Candidate{&states[0], part.light}, Candidate{&states[1], part.light}};
-  std::vector<Vec3> out(2 * probe.pixels.size());
-  LUM_TRY_VOID(renderer.evaluate(candidates, probe, {}, out));
-  for (std::size_t i = 0; i < probe.pixels.size(); ++i) {
-    const Vec3 wanted = color * out[i];
-    const Vec3 got = out[probe.pixels.size() + i];
-    if (glm::length(wanted - got) > 1e-3F * (glm::length(wanted) + 1e-3F)) return false;
-  }
-  return true;
-}
-
-/// The parts that one colour scales stand together: if it does not scale one of them, it is as another parameter.
-void tie_colors(const LightRig& rig, std::vector<Part>& parts) {
-  for (std::size_t light = 0; light < rig.lights.size(); ++light) {
-    const std::optional<int> color = rig.lights[light].params.schema().by_role("color");
-    if (!color) continue;
-    const std::vector<Tie> ties = tied_to(rig, light, *color);
-    const bool scaling =
-        std::all_of(ties.begin(), ties.end(), [&](const Tie& tie) { return parts[tie.light + 1].color_param >= 0; });
-    for (const Tie& tie : ties) {
-      if (scaling) {
-        parts[light + 1].colored.push_back({static_cast<int>(tie.light + 1), tie.factor});
-      } else {
-        parts[tie.light + 1].color_param = -1;
-      }
-    }
-  }
-}
-
-ColorRange range_of(const ParamState& state, const Part& part, const SceneFrame& frame) {
+ColorRange range_of(const ParamState& state, const PartColor& color, const SceneFrame& frame) {
   ColorRange range;
-  if (part.color_param < 0) return range;
-  const ParamBlock& params = state.rig.lights[static_cast<std::size_t>(part.light)].params;
-  const ParamSpec& spec = params.schema()[part.color_param];
+  const ParamBlock& params = *state.blocks()[static_cast<std::size_t>(color.block)];
+  const ParamSpec& spec = params.schema()[color.param];
   // The map knows what 0 and 1 mean on any scale.
   ParamBlock alone = params;
   alone.set_param_locked(-1, true);
-  alone.set_param_locked(part.color_param, false);
+  alone.set_param_locked(color.param, false);
   const std::array<const ParamBlock*, 1> blocks{&alone};
   const UnitMap map = UnitMap::create(blocks, frame);
   const std::array<ParamBlock*, 1> writable{&alone};
@@ -79,7 +26,7 @@ ColorRange range_of(const ParamState& state, const Part& part, const SceneFrame&
     const std::vector<double> x(static_cast<std::size_t>(map.dofs()), upper ? 1.0 : 0.0);
     map.from_unit(x, writable);
     for (std::size_t c = 0; c < 3; ++c) {
-      (upper ? range.high : range.low)[c] = alone.get(part.color_param, static_cast<int>(c));
+      (upper ? range.high : range.low)[c] = alone.get(color.param, static_cast<int>(c));
     }
   }
   for (std::size_t c = 0; c < 3; ++c) range.free[c] = !params.locked(spec.first_dof + static_cast<int>(c));
@@ -87,71 +34,6 @@ ColorRange range_of(const ParamState& state, const Part& part, const SceneFrame&
 }
 
 }  // namespace
-
-Vec3 part_color(const ParamState& state, const Part& part) {
-  if (part.color_param < 0) return Vec3(1.0F);
-  return state.rig.lights[static_cast<std::size_t>(part.light)].params.vec3(part.color_param);
-}
-
-Result<PictureParts> PictureParts::create(Renderer& renderer, const ParamState& state, const SampleSet& probe) {
-  PictureParts result;
-  if (renderer.style().combination(state.style) == LightCombination::kJoint) {
-    result.parts_.push_back({Candidate::kAllLights, -1, {}});
-    return result;
-  }
-  result.parts_.push_back({Candidate::kNoLights, -1, {}});
-  for (int light = 0; light < static_cast<int>(state.rig.lights.size()); ++light) {
-    Part part{light, color_param_of(state.rig.lights[static_cast<std::size_t>(light)]), {}};
-    if (part.color_param >= 0) {
-      LUM_TRY(const bool linear, scales(renderer, state, part, probe));
-      if (!linear) part.color_param = -1;
-    }
-    result.parts_.push_back(part);
-  }
-  tie_colors(state.rig, result.parts_);
-  return result;
-}
-
-std::vector<int> PictureParts::touched_by(const ParamState& state, const Dof& dof) const {
-  if (parts_.size() == 1 && parts_[0].light == Candidate::kAllLights) return {0};
-  const int lights = static_cast<int>(state.rig.lights.size());
-  if (dof.block == 0) return {0};
-  std::vector<int> all;
-  if (dof.block > lights) {
-    for (int part = 0; part < static_cast<int>(parts_.size()); ++part) all.push_back(part);
-    return all;
-  }
-  // Part 0 is the base, block 0 the ambient: both are followed by the lights.
-  std::vector<int> touched;
-  bool shared = false;
-  for (const Tie& tie : tied_to(state.rig, static_cast<std::size_t>(dof.block - 1), dof.param)) {
-    touched.push_back(static_cast<int>(tie.light) + 1);
-    shared = shared || state.rig.shadow_light == state.rig.lights[tie.light].name;
-  }
-  if (!shared || scaled_by(dof) >= 0) return touched;
-  for (int other = 1; other < static_cast<int>(parts_.size()); ++other) all.push_back(other);
-  return all;  // its shadow map is everyone's
-}
-
-std::vector<int> PictureParts::touched_by(const ParamState& state, const UnitMap& map,
-                                          std::span<const int> blocks) const {
-  std::vector<int> touched;
-  for (const Dof& dof : map.list()) {
-    if (std::ranges::find(blocks, dof.block) == blocks.end() || scaled_by(dof) >= 0) continue;
-    for (const int part : touched_by(state, dof)) touched.push_back(part);
-  }
-  std::ranges::sort(touched);
-  touched.erase(std::unique(touched.begin(), touched.end()), touched.end());
-  return touched;
-}
-
-int PictureParts::scaled_by(const Dof& dof) const {
-  for (int part = 0; part < static_cast<int>(parts_.size()); ++part) {
-    const Part& p = parts_[static_cast<std::size_t>(part)];
-    if (p.color_param >= 0 && dof.block == light_block(p.light) && dof.param == p.color_param) return part;
-  }
-  return -1;
-}
 
 Result<CellProblem> CellProblem::create(Renderer& renderer, const PictureParts& parts, const Level& level,
                                         const ParamState& free, Norm norm, const CellField& still) {
@@ -166,19 +48,25 @@ Result<CellProblem> CellProblem::create(Renderer& renderer, const PictureParts& 
   const UnitMap map = UnitMap::create(blocks, renderer.frame());
   const std::vector<int> moving = moving_lights(free, map);
   for (const Dof& dof : map.list()) {
-    if (parts.scaled_by(dof) >= 0) continue;  // white parts stay as they are
+    if (parts.color_of(dof) >= 0) continue;  // white parts stay as they are
     for (const int part : parts.touched_by(free, dof)) is_free[static_cast<std::size_t>(part)] = true;
   }
   const CellField nothing(static_cast<std::size_t>(level.cells.size()), Vec3(0.0F));
   problem.fixed_.resize(count);
   problem.offset_ = nothing;
+  for (const PartColor& color : parts.colors()) {
+    problem.ranges_.push_back(range_of(free, color, renderer.frame()));
+  }
+  // What the style's colours scale without lights is not told from the rest in a picture.
+  const bool splits = std::ranges::any_of(parts.colors(), [](const PartColor& color) { return color.of_style; });
   std::vector<Request> requests;
   for (std::size_t part = 0; part < count; ++part) {
-    problem.ranges_.push_back(range_of(free, parts.list()[part], renderer.frame()));
+    const Part& each = parts.list()[part];
+    const bool base = each.light == Candidate::kNoLights;
     if (is_free[part]) {
       problem.free_parts_.push_back(static_cast<int>(part));
-    } else if (!still.empty() && std::ranges::find(moving, parts.list()[part].light) == moving.end()) {
-      problem.fixed_[part] = parts.list()[part].light == Candidate::kNoLights ? still : nothing;
+    } else if (!still.empty() && std::ranges::find(moving, each.light) == moving.end() && !(base && splits)) {
+      problem.fixed_[part] = base ? still : nothing;
     } else {
       requests.push_back({&free, static_cast<int>(part)});
     }
@@ -195,13 +83,20 @@ Result<std::vector<CellField>> CellProblem::evaluate(std::span<const Request> re
   std::vector<ParamState> states;
   states.reserve(requests.size());
   std::vector<Candidate> candidates;
+  std::map<int, const ParamState*> white;  // of the present request's state, by what of the style is white in it
+  constexpr int kTogether = -2;            // no parameter, and not what a rest has
   const ParamState* last = nullptr;
   for (const Request& request : requests) {
-    if (request.state != last) {
-      states.push_back(whitened(*request.state, parts_->list()));
-      last = request.state;
+    if (request.state != last) white.clear();
+    last = request.state;
+    const Part& part = parts_->list()[static_cast<std::size_t>(request.part)];
+    const auto known = white.try_emplace(request.together ? kTogether : part.style_color, nullptr).first;
+    if (known->second == nullptr) {
+      states.push_back(request.together ? parts_->whitened(*request.state)
+                                        : parts_->whitened(*request.state, request.part));
+      known->second = &states.back();
     }
-    candidates.push_back({&states.back(), parts_->list()[static_cast<std::size_t>(request.part)].light});
+    candidates.push_back({known->second, part.light});
   }
   const SampleSet& samples = level_->cells.samples;
   const std::size_t count = samples.pixels.size();
@@ -213,6 +108,14 @@ Result<std::vector<CellField>> CellProblem::evaluate(std::span<const Request> re
   std::vector<CellField> fields;
   for (std::size_t i = 0; i < candidates.size(); ++i) {
     fields.push_back(level_->cells.average(std::span(out).subspan(i * count, count)));
+  }
+  std::size_t rest = 0;
+  for (std::size_t i = 0; i < requests.size(); ++i) {
+    const Part& part = parts_->list()[static_cast<std::size_t>(requests[i].part)];
+    if (part.rest == requests[i].part) rest = i;
+    if (part.style_color < 0) continue;
+    LUM_CHECK(requests[rest].state == requests[i].state && requests[rest].part == part.rest, "the rest comes first");
+    for (std::size_t c = 0; c < fields[i].size(); ++c) fields[i][c] -= fields[rest][c];
   }
   return fields;
 }
@@ -259,11 +162,24 @@ void CellProblem::correct(const CellPoint& point, const CellField& shown) {
   for (std::size_t c = 0; c < offset_.size(); ++c) offset_[c] += shown[c] - sampled[c];
 }
 
-CellField CellProblem::white(const CellPoint& point, int part) const {
+CellField CellProblem::white(const CellPoint& point, int color) const {
   CellField sum(static_cast<std::size_t>(level_->cells.size()), Vec3(0.0F));
-  for (const ColoredPart& colored : parts_->list()[static_cast<std::size_t>(part)].colored) {
-    const CellField& field = point.fields[static_cast<std::size_t>(colored.part)];
-    for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += colored.factor * field[c];
+  const PartColor& scaling = parts_->colors()[static_cast<std::size_t>(color)];
+  for (const ColoredPart& colored : scaling.parts) {
+    const auto part = static_cast<std::size_t>(colored.part);
+    const Vec3 factor = colored.factor * part_color_without(point.state, parts_->list()[part], scaling.of_style);
+    for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += factor * point.fields[part][c];
+  }
+  return sum;
+}
+
+CellField CellProblem::together(const CellPoint& point, int rest) const {
+  CellField sum(static_cast<std::size_t>(level_->cells.size()), Vec3(0.0F));
+  for (std::size_t part = static_cast<std::size_t>(rest); part < point.fields.size(); ++part) {
+    const Part& each = parts_->list()[part];
+    if (each.rest != rest) break;
+    const Vec3 color = part_color_without(point.state, each, false);
+    for (std::size_t c = 0; c < sum.size(); ++c) sum[c] += color * point.fields[part][c];
   }
   return sum;
 }
@@ -277,27 +193,27 @@ CellField CellProblem::picture(const CellPoint& point) const {
   return sum;
 }
 
-void CellProblem::settle(CellPoint& point) const {
+bool CellProblem::solve_colors_of(CellPoint& point, bool style) const {
   CellField rest = offset_;
-  std::vector<const CellField*> white;
+  std::vector<CellField> sums;
   std::vector<ColorRange> ranges;
   std::vector<Vec3> colors;
   std::vector<std::size_t> solved;
-  std::vector<bool> tied(point.fields.size(), false);  // its colour is solved with another's
-  std::list<CellField> sums;
-  for (std::size_t part = 0; part < point.fields.size(); ++part) {
-    const ColorRange& range = ranges_[part];
-    if (!range.free[0] && !range.free[1] && !range.free[2]) continue;
-    const Part& scaled = parts_->list()[part];
-    for (const ColoredPart& colored : scaled.colored) tied[static_cast<std::size_t>(colored.part)] = true;
-    const bool alone = scaled.colored.size() == 1;
-    white.push_back(alone ? &point.fields[part] : &sums.emplace_back(this->white(point, static_cast<int>(part))));
+  std::vector<bool> scaled(point.fields.size(), false);  // by one of the colours that are solved
+  const std::vector<ParamBlock*> blocks = point.state.blocks();
+  for (std::size_t k = 0; k < ranges_.size(); ++k) {
+    const PartColor& color = parts_->colors()[k];
+    const ColorRange& range = ranges_[k];
+    if (color.of_style != style || (!range.free[0] && !range.free[1] && !range.free[2])) continue;
+    for (const ColoredPart& colored : color.parts) scaled[static_cast<std::size_t>(colored.part)] = true;
+    sums.push_back(white(point, static_cast<int>(k)));
     ranges.push_back(range);
-    colors.push_back(part_color(point.state, scaled));
-    solved.push_back(part);
+    colors.push_back(blocks[static_cast<std::size_t>(color.block)]->vec3(color.param));
+    solved.push_back(k);
   }
+  if (solved.empty()) return false;
   for (std::size_t part = 0; part < point.fields.size(); ++part) {
-    if (tied[part]) continue;
+    if (scaled[part]) continue;
     const Vec3 color = part_color(point.state, parts_->list()[part]);
     for (std::size_t c = 0; c < rest.size(); ++c) rest[c] += color * point.fields[part][c];
   }
@@ -309,13 +225,30 @@ void CellProblem::settle(CellPoint& point) const {
                                 static_cast<float>(ranges[k].high[channel]));
     }
   }
+  std::vector<const CellField*> white;
+  for (const CellField& sum : sums) white.push_back(&sum);
   solve_colors(level_->cells, rest, white, ranges, norm_, colors);
   for (std::size_t k = 0; k < solved.size(); ++k) {
-    const Part& part = parts_->list()[solved[k]];
-    point.state.rig.lights[static_cast<std::size_t>(part.light)].params.set_vec3(part.color_param, colors[k]);
+    const PartColor& color = parts_->colors()[solved[k]];
+    blocks[static_cast<std::size_t>(color.block)]->set_vec3(color.param, colors[k]);
   }
   if (!point.state.rig.constraints.empty()) keep_constraints(point.state.rig);  // colours that follow those
+  return true;
+}
+
+void CellProblem::settle(CellPoint& point) const {
+  constexpr int kTurns = 3;       // of the lights' colours and the style's: the picture is a product of both
+  constexpr double kGain = 0.01;  // a turn that gains less was the last
+  const bool of_lights = solve_colors_of(point, false);
+  const bool both = solve_colors_of(point, true) && of_lights;
   point.cost = cell_cost(level_->cells, picture(point), norm_);
+  for (int turn = 1; both && turn < kTurns; ++turn) {
+    const double before = point.cost;
+    solve_colors_of(point, false);
+    solve_colors_of(point, true);
+    point.cost = cell_cost(level_->cells, picture(point), norm_);
+    if (point.cost > (1.0 - kGain) * before) return;
+  }
 }
 
 }  // namespace luminist

@@ -16,13 +16,15 @@ constexpr int kIdleRounds = 3;        // a whole cycle: around the best, around 
 constexpr int kScouts = 5;            // explorations before the first picture...
 constexpr int kIdleScouts = 2;        // ...fewer if so many in a row gain little...
 constexpr double kScoutGain = 0.1;
-constexpr double kClear = 0.15;    // ...or few samples are this near to the target, of the start's distance
-constexpr double kFar = 0.3;       // of the start's distance: wide shadows lead
-constexpr double kHopeless = 1.2;  // times the cost at home: not worth the sharpest
-constexpr std::size_t kPool = 24;  // variants that descend
-constexpr int kSimplexSlice = 25;  // points in one step
+constexpr double kGlanceGain = 0.02;  // worth a picture before the search goes on
+constexpr double kClear = 0.15;       // ...or few samples are this near to the target, of the start's distance
+constexpr double kFar = 0.3;          // of the start's distance: wide shadows lead
+constexpr double kHopeless = 1.2;     // times the cost at home: not worth the sharpest
+constexpr std::size_t kPool = 24;     // variants that descend
+constexpr int kSimplexSlice = 25;     // points in one step
 constexpr double kSimplexSize = 0.1;
-constexpr int kFew = 9;  // degrees of freedom besides colours
+constexpr float kWideBand = 0.3F;  // as on the softest level
+constexpr int kFew = 9;            // degrees of freedom besides colours
 
 }  // namespace
 
@@ -44,13 +46,10 @@ Result<std::unique_ptr<FastSolver>> FastSolver::create(Renderer& renderer, const
 
 Result<void> FastSolver::prepare(std::shared_ptr<const EdgeMask> edges) {
   const ParamState& start = progress_->best();
-  Target blurred;
   const StyleMetric& metric = renderer_->style().metric;
-  if (metric.blur > 0.0F) {
-    blurred = *target_;
-    blurred.color = as_compared(target_->color, metric);
-  }
-  const CellSampler sampler(renderer_->surface(), metric.blur > 0.0F ? blurred : *target_, std::move(edges));
+  Target seen;
+  if (metric.blur > 0.0F) seen = as_compared(*target_, metric);
+  const CellSampler sampler(renderer_->surface(), metric.blur > 0.0F ? seen : *target_, std::move(edges));
   levels_ = fast_levels(sampler, metric.blur, progress_->options().seed);
   LUM_TRY(parts_, PictureParts::create(*renderer_, start, levels_[kScout].cells.samples));
   LUM_TRY(const auto still, shown(start, objective_.moving()));
@@ -64,12 +63,24 @@ Result<void> FastSolver::prepare(std::shared_ptr<const EdgeMask> edges) {
   focus_ = sum / static_cast<float>(std::max(1, levels_[kSoft].cells.size()));
   int turning = 0;
   for (const Dof& dof : objective_.map().list()) {
-    if (parts_.scaled_by(dof) >= 0) continue;
+    if (parts_.color_of(dof) >= 0) continue;
     if (start.blocks()[static_cast<std::size_t>(dof.block)]->schema()[dof.param].role == "color") continue;
     if (free_blocks_.empty() || free_blocks_.back() != dof.block) free_blocks_.push_back(dof.block);
     ++turning;
   }
   few_ = turning <= kFew;
+  return find_bands();
+}
+
+Result<void> FastSolver::find_bands() {
+  banded_ = std::ranges::any_of(parts_.colors(), [](const PartColor& color) { return color.of_style; });
+  const SampleSet& probe = levels_[kScout].cells.samples;
+  const Candidate start{&progress_->best()};
+  std::vector<Vec3> sharp(probe.pixels.size());
+  std::vector<Vec3> wide(probe.pixels.size());
+  LUM_TRY_VOID(renderer_->evaluate({&start, 1}, probe, {.shadow_rays = 1}, sharp));
+  LUM_TRY_VOID(renderer_->evaluate({&start, 1}, probe, {.threshold = kWideBand, .shadow_rays = 1}, wide));
+  banded_ = banded_ || sharp != wide;
   return {};
 }
 
@@ -222,11 +233,35 @@ Result<void> FastSolver::look_again() {
   }
   if (scouted_->cost > kClear * near_start_ && scouts_ < kScouts && idle_scouts_ < kIdleScouts &&
       !free_blocks_.empty()) {
+    if (banded_ && gain > kGlanceGain) LUM_TRY_VOID(glance(*scouted_));
+    if (good_enough()) {
+      phase_ = Phase::kDone;
+      return {};
+    }
+    if (banded_ && few_) {
+      begin_round();
+      return {};
+    }
     begin_exploration(scouted_->state, scouts_ == 0 && scouted_->cost > kFar * near_start_ ? kScout : kNear);
     ++scouts_;
     return {};
   }
   begin_descents({{scouted_->state}}, kFromSharp);
+  return {};
+}
+
+Result<void> FastSolver::glance(const CellPoint& point) {
+  constexpr double kReach = 1.2;  // times a stated goal, on samples: farther away the picture does not reach it
+  const double until = progress_->options().until;
+  if (until > 0.0 && point.cost > kReach * until) return {};
+  const ParamState state = in_range(point.state, renderer_->frame(), focus_);  // a simplex leaves the ranges
+  objective_.recentre(state);
+  LUM_TRY(const double epsilon, objective_.evaluate(objective_.unit(state)));
+  const bool better = epsilon < progress_->report().epsilon;
+  progress_->record(state, epsilon);
+  if (better) {
+    LUM_TRY(incumbent_, problems_[kSharp].measure(state));
+  }
   return {};
 }
 
@@ -327,15 +362,22 @@ Result<void> FastSolver::explore() {
 
 Result<void> FastSolver::run_simplex() {
   if (!simplex_) {
-    const CellProblem& problem = problems_[few_ ? kExact : kNear];
+    const CellProblem& problem = problems_[few_ ? (banded_ ? kSharp : kExact) : kNear];
     LUM_TRY(const CellPoint here, problem.measure(incumbent_->state));
     const int block = free_blocks_[simplex_turn_++ % free_blocks_.size()];
     simplex_ = SampleSimplex::create(problem, here, block, focus_, kSimplexSize);
     LUM_CHECK(simplex_ != nullptr, "free blocks have something to turn besides colours");
   }
+  const double before = simplex_->best().cost;
   LUM_TRY(const bool more, simplex_->walk(kSimplexSlice));
-  if (more) return {};
-  begin_descents({{simplex_->best().state}},
+  if (more) {
+    const double gain = 1.0 - simplex_->best().cost / before;
+    if (banded_ && gain > kGlanceGain) LUM_TRY_VOID(glance(simplex_->best()));
+    if (good_enough()) phase_ = Phase::kDone;
+    return {};
+  }
+  // A simplex leaves the ranges, and a descent may stay where it begins.
+  begin_descents({{in_range(simplex_->best().state, renderer_->frame(), focus_)}},
                  few_ ? std::span<const FastStage>(kPolish) : std::span(kNearSearch).subspan(1));
   simplex_.reset();
   return {};

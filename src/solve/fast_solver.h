@@ -24,6 +24,9 @@ namespace luminist {
 /// 4. unless that is good enough, rounds: variants around the best, variants around the start, a simplex over one light
 ///    on the samples, which sees what has no slope. What is better on many cells is compared on the full picture.
 ///
+/// Where the style has bands (find_bands()) and little turns, the simplex on many samples comes right after the first
+/// descents, and pictures are compared on the way.
+///
 /// A variant descends with its own light and all colours first, on true edges where the samples are near the target.
 /// Ends when the goal is reached or rounds gain nothing. Deterministic by options().seed.
 /// source  making a coarse model exact at the best point so far: space mapping (Bandler et al. 2004).
@@ -45,6 +48,9 @@ class FastSolver final : public Solver {
 
   FastSolver(Renderer& renderer, const Target& target, Progress& progress);
   Result<void> prepare(std::shared_ptr<const EdgeMask> edges);
+  /// Whether the style has thresholds, or colours that are solved. Few samples then say little of where a light
+  /// belongs: its picture changes along edges only, or is met half by other colours.
+  Result<void> find_bands();
   Result<void> compare_start();
   Result<void> descend();
   Result<void> check();
@@ -56,6 +62,9 @@ class FastSolver final : public Solver {
   Result<void> end_stage();
   /// Before many cells are descended on for the first time: tries the other way, or explores, unless enough was tried.
   Result<void> look_again();
+  /// Compares what samples have come to on the full picture, before the search goes on: a painting leaves an error that
+  /// only the picture tells from a bad light, and whoever waits sees something.
+  Result<void> glance(const CellPoint& point);
   [[nodiscard]] std::span<const FastStage> first_plan() const {
     return few_ ? std::span<const FastStage>(kFirstOfFew) : kFirst;
   }
@@ -76,6 +85,7 @@ class FastSolver final : public Solver {
   std::vector<CellProblem> problems_;  ///< one a level
   std::vector<int> free_blocks_;       ///< blocks with something unlocked besides colours
   bool few_ = false;                   ///< little besides colours is unlocked
+  bool banded_ = false;                ///< see find_bands()
 
   Phase phase_ = Phase::kStart;
   std::span<const FastStage> plan_;  ///< what is left of it, the present stage first

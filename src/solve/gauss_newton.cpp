@@ -29,7 +29,7 @@ GaussNewton::GaussNewton(const CellProblem& problem, CellPoint start, const Vec3
     : problem_(&problem), point_(std::move(start)), focus_(focus), options_(options), damping_(options.damping) {}
 
 bool GaussNewton::turns(const Dof& dof) const {
-  return options_.block < 0 || dof.block == options_.block || problem_->parts().scaled_by(dof) >= 0;
+  return options_.block < 0 || dof.block == options_.block || problem_->parts().color_of(dof) >= 0;
 }
 
 Result<void> GaussNewton::measure_slopes(const AimMap& map) {
@@ -41,7 +41,7 @@ Result<void> GaussNewton::measure_slopes(const AimMap& map) {
   slopes_.clear();
   touched_.clear();
   for (std::size_t k = 0; k < list.size(); ++k) {
-    if (!turns(list[k]) || problem_->parts().scaled_by(list[k]) >= 0) continue;
+    if (!turns(list[k]) || problem_->parts().color_of(list[k]) >= 0) continue;
     const ParamBlock& block = *point_.state.blocks()[static_cast<std::size_t>(list[k].block)];
     const bool moves = block.schema()[list[k].param].role == "position";
     steps[k] = moves ? problem_->level().position_step : problem_->level().step;
@@ -50,14 +50,15 @@ Result<void> GaussNewton::measure_slopes(const AimMap& map) {
     x[k] += steps[k];
     states.push_back(map.at(x));
     for (const int part : problem_->parts().touched_by(point_.state, list[k])) {
-      requests.push_back({&states.back(), part});
-      slopes_.push_back({k, part, {}});
       if (std::ranges::find(touched_, part) == touched_.end()) touched_.push_back(part);
+      if (problem_->parts().list()[static_cast<std::size_t>(part)].rest != part) continue;
+      requests.push_back({&states.back(), part, true});
+      slopes_.push_back({k, part, {}});
     }
   }
   LUM_TRY(std::vector<CellField> fields, problem_->evaluate(requests));
   for (std::size_t i = 0; i < slopes_.size(); ++i) {
-    const CellField& here = point_.fields[static_cast<std::size_t>(slopes_[i].part)];
+    const CellField here = problem_->together(point_, slopes_[i].part);
     const auto inverse = static_cast<float>(1.0 / steps[slopes_[i].coordinate]);
     for (std::size_t c = 0; c < here.size(); ++c) fields[i][c] = (fields[i][c] - here[c]) * inverse;
     slopes_[i].field = std::move(fields[i]);
@@ -71,9 +72,9 @@ void GaussNewton::correct_slopes(const CellPoint& before, std::span<const double
     for (const Slope& slope : slopes_)
       square += slope.part == part ? step[slope.coordinate] * step[slope.coordinate] : 0.0;
     if (!(square > 1e-12)) continue;
-    const auto index = static_cast<std::size_t>(part);
-    CellField missed = point_.fields[index];
-    for (std::size_t c = 0; c < missed.size(); ++c) missed[c] -= before.fields[index][c];
+    CellField missed = problem_->together(point_, part);
+    const CellField was = problem_->together(before, part);
+    for (std::size_t c = 0; c < missed.size(); ++c) missed[c] -= was[c];
     for (const Slope& slope : slopes_) {
       if (slope.part != part) continue;
       const auto by = static_cast<float>(step[slope.coordinate]);
@@ -91,20 +92,23 @@ std::vector<CellField> GaussNewton::columns(const AimMap& map, std::span<const s
   const CellField nothing(static_cast<std::size_t>(problem_->level().cells.size()), Vec3(0.0F));
   std::vector<CellField> columns(turned.size(), nothing);
   for (std::size_t i = 0; i < turned.size(); ++i) {
-    const int part = problem_->parts().scaled_by(map.units().list()[turned[i]]);
-    if (part < 0) continue;
+    const int color = problem_->parts().color_of(map.units().list()[turned[i]]);
+    if (color < 0) continue;
     std::vector<double> x = map.origin();
     const double step = x[turned[i]] < 0.5 ? problem_->level().step : -problem_->level().step;
     x[turned[i]] += step;
-    const Part& scaled = problem_->parts().list()[static_cast<std::size_t>(part)];
-    const Vec3 slope =
-        (part_color(map.at(x), scaled) - part_color(point_.state, scaled)) * static_cast<float>(1.0 / step);
-    const CellField white = problem_->white(point_, part);
+    const PartColor& scaling = problem_->parts().colors()[static_cast<std::size_t>(color)];
+    const auto value = [&](const ParamState& state) {
+      return state.blocks()[static_cast<std::size_t>(scaling.block)]->vec3(scaling.param);
+    };
+    const Vec3 slope = (value(map.at(x)) - value(point_.state)) * static_cast<float>(1.0 / step);
+    const CellField white = problem_->white(point_, color);
     for (std::size_t c = 0; c < white.size(); ++c) columns[i][c] = slope * white[c];
   }
   for (const Slope& slope : slopes_) {
     const auto i = static_cast<std::size_t>(std::ranges::lower_bound(turned, slope.coordinate) - turned.begin());
-    const Vec3 color = part_color(point_.state, problem_->parts().list()[static_cast<std::size_t>(slope.part)]);
+    const Part& part = problem_->parts().list()[static_cast<std::size_t>(slope.part)];
+    const Vec3 color = part_color_without(point_.state, part, true);
     for (std::size_t c = 0; c < slope.field.size(); ++c) columns[i][c] += color * slope.field[c];
   }
   return columns;
@@ -159,7 +163,7 @@ std::vector<double> GaussNewton::step(const AimMap& map, const Equations& equati
     a[i * n + i] += damping * std::max(a[i * n + i], floor) + 1e-12 * floor;
     b[i] = -equations.gradient(row);
     // Colours may go any way: the trial solves them anyway.
-    const bool color = problem_->parts().scaled_by(map.units().list()[k]) >= 0;
+    const bool color = problem_->parts().color_of(map.units().list()[k]) >= 0;
     low[i] = color ? -x0[k] : std::max(-x0[k], -options_.largest_step);
     high[i] = color ? 1.0 - x0[k] : std::min(1.0 - x0[k], options_.largest_step);
   }

@@ -38,10 +38,11 @@ class GaussNewton {
   [[nodiscard]] int iterations() const { return iterations_; }  ///< batches of slopes
 
  private:
-  /// How one part of the picture changes with one coordinate; white where a colour scales it.
+  /// How what a light adds changes with one coordinate, the style's colours being the point's; white where the light's
+  /// colour scales it.
   struct Slope {
     std::size_t coordinate = 0;  ///< of the map
-    int part = 0;
+    int part = 0;                ///< the light's rest
     CellField field;
   };
   struct Equations;  // the weighted normal equations at the present point

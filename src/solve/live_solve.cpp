@@ -59,7 +59,8 @@ class LiveSolve::Impl {
         options_(options),
         target_(clean(target)),
         edges_(edges ? std::move(edges) : std::make_shared<const EdgeMask>(edge_pixels(renderer.surface()))),
-        sampler_(renderer.surface(), target_, edges_),
+        seen_(blurs() ? as_compared(target_, renderer.style().metric) : Target{}),
+        sampler_(renderer.surface(), blurs() ? seen_ : target_, edges_),
         first_(start),
         best_(std::move(start)) {
     const std::vector<const ParamBlock*> blocks = std::as_const(best_).blocks();
@@ -83,6 +84,7 @@ class LiveSolve::Impl {
     sanitize(target);
     return target;
   }
+  [[nodiscard]] bool blurs() const { return renderer_->style().metric.blur > 0.0F; }
   Result<void> cut();
   Result<void> start_descent();
   Result<void> descend();
@@ -96,6 +98,7 @@ class LiveSolve::Impl {
   SolveOptions options_;
   Target target_;
   std::shared_ptr<const EdgeMask> edges_;
+  Target seen_;  ///< the target as a metric compares it that blurs; else empty
   CellSampler sampler_;
   std::optional<PictureParts> parts_;
   std::array<Level, 2> levels_;
@@ -167,7 +170,9 @@ Result<void> LiveSolve::Impl::retarget(const Target& target, const PixelBox& cha
             "a target keeps its size");
   if (changed.empty()) return {};
   copy_box(target, target_, changed);
-  sampler_.update(changed);
+  if (blurs()) seen_ = as_compared(target_, renderer_->style().metric);
+  // Blurred paint reaches beyond its box.
+  sampler_.update(blurs() ? PixelBox{0, 0, target_.color.width, target_.color.height} : changed);
   double moved = 1.0;
   if (!problems_.empty()) {
     moved = sampler_.refresh(levels_[kFollow].cells);

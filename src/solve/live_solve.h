@@ -56,7 +56,7 @@ class LiveSolve {
   ~LiveSolve();
 
   /// The target is another inside the box; of the same size. errors the renderer's. cost O(pixels of the rows from
-  /// there on) and, where cells are cut anew, of all pixels.
+  /// there on) and, where cells are cut anew or the style's metric blurs, of all pixels.
   Result<void> retarget(const Target& target, const PixelBox& changed);
   /// Other lights to start from (of the same rig, with the same locks), if they are nearer on the samples.
   void offer(ParamState start);

@@ -19,7 +19,7 @@ std::unique_ptr<SampleSimplex> SampleSimplex::create(const CellProblem& problem,
   std::vector<std::size_t> coordinates;
   for (std::size_t k = 0; k < map.origin().size(); ++k) {
     const Dof& dof = map.units().list()[k];
-    if (dof.block == block && problem.parts().scaled_by(dof) < 0) coordinates.push_back(k);
+    if (dof.block == block && problem.parts().color_of(dof) < 0) coordinates.push_back(k);
   }
   if (coordinates.empty()) return nullptr;
   return std::unique_ptr<SampleSimplex>(

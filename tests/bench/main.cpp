@@ -100,8 +100,9 @@ void add_painted(CLI::App& app, Run& run) {
             run_shadow, kEvals);
   add_plain(app, run, "removal", "the strongest of seven lights removed, the others make up for it, 36 and 48 DOFs",
             run_removal, kEvals);
-  add_plain(app, run, "styles", "a light and the style's colours from paint, in every style but the cinematic one",
-            run_styles, kEvals);
+  add_plain(app, run, "styles",
+            "one or three lights and the style's colours from paint, in every style but the cinematic one", run_styles,
+            kEvals);
 }
 
 void add_scaling(CLI::App& app, Run& run) {

@@ -5,6 +5,8 @@
 #include <string_view>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "bench/painted.h"
 #include "bench/painter.h"
 #include "bench/perturbation.h"
@@ -13,16 +15,17 @@ namespace luminist {
 namespace {
 
 constexpr PaintedPlan kPlan{{512, 512}, {128, 128}, 20, 5};
-constexpr float kBrush = 0.06F;         // diameter of a dab, picture heights
-constexpr float kVisible = 0.05F;       // of the brightest pixel: what a painter would change
-constexpr double kLeastPainted = 0.03;  // of the picture
+constexpr std::array<int, 2> kLights{1, 3};  // of a task: the first of the rig
+constexpr float kBrush = 0.06F;              // diameter of a dab, picture heights
+constexpr float kVisible = 0.05F;            // of the brightest pixel: what a painter would change
+constexpr double kLeastPainted = 0.03;       // of the picture
 
-/// The first light alone, with what is solved for unlocked.
-ParamState start_of(const BenchStage& stage) {
+/// The first lights of the rig, with what is solved for unlocked.
+ParamState start_of(const BenchStage& stage, int lights) {
   static constexpr std::array<std::string_view, 3> kLook{"position", "direction", "color"};
   ParamState state = stage.state;
-  state.rig.lights.resize(1, state.rig.lights.front());
-  unlock_roles(state.rig.lights.front(), kLook);
+  state.rig.lights.resize(static_cast<std::size_t>(lights), state.rig.lights.front());
+  for (Light& light : state.rig.lights) unlock_roles(light, kLook);
   const ParamSchema& schema = state.style.schema();
   for (int param = 0; param < schema.size(); ++param) {
     if (schema[param].role == "color" && !schema[param].quality) state.style.set_param_locked(param, false);
@@ -40,10 +43,10 @@ std::vector<unsigned char> difference(const Image& a, const Image& b) {
 }
 
 /// Made on the small probe's picture, so that every size gets the same strokes.
-Result<StrokeFile> style_paint(const BenchStage& probe, std::span<const UnitRange> ranges, std::uint64_t seed) {
+Result<StrokeFile> style_paint(const BenchStage& probe, const ParamState& start, std::span<const UnitRange> ranges,
+                               std::uint64_t seed) {
   constexpr int kDraws = 200;
   Random random(seed);
-  const ParamState start = start_of(probe);
   LUM_TRY(const Image before, probe.renderer().render(start));
   for (int i = 0; i < kDraws; ++i) {
     LUM_TRY(const Image wanted, probe.renderer().render(perturbed(start, probe.frame(), ranges, {}, random)));
@@ -60,29 +63,46 @@ Result<StrokeFile> style_paint(const BenchStage& probe, std::span<const UnitRang
   return Error{ErrorKind::kLimit, "no change of the light and the style can be seen", probe.scene, "scenes", ""};
 }
 
+/// One style in one scene with so many lights.
+Result<void> run_style(Device& device, BenchSuite& suite, const BenchScene& scene, const std::string& task,
+                       int lights) {
+  LUM_TRY(const BenchStage probe, open_bench_stage(device, scene, 96, 96));
+  const ParamState probe_start = start_of(probe, lights);
+  LUM_TRY(const std::vector<UnitRange> ranges, useful_ranges(probe.renderer(), probe_start));
+  const auto make = [&](const BenchStage& stage, std::uint64_t seed) -> Result<BenchTask> {
+    LUM_TRY(const StrokeFile strokes, style_paint(probe, probe_start, ranges, seed));
+    ParamState start = start_of(stage, lights);
+    LUM_TRY(Canvas canvas, canvas_on(stage, start));
+    LUM_TRY_VOID(canvas.apply(strokes, "generated"));
+    return BenchTask{std::move(start), canvas.target()};
+  };
+  return run_painted(device, suite, scene, {{task, make}}, kPlan);
+}
+
+std::string task_name(const std::string& style, int lights) {
+  return fmt::format("{}-{}", style, lights);
+}
+
 }  // namespace
 
 Result<void> run_styles(Device& device, const SuiteOptions& options) {
   std::vector<std::string> styles;
+  std::vector<std::string> tasks;
   for (std::string& style : style_names(AssetRoots::standard())) {
-    if (style != "cinematic") styles.push_back(std::move(style));
+    if (style == "cinematic") continue;
+    for (const int lights : kLights) tasks.push_back(task_name(style, lights));
+    styles.push_back(std::move(style));
   }
-  LUM_TRY(BenchSuite suite, BenchSuite::create("styles", options, {"creature", "still_life"}, styles));
+  LUM_TRY(BenchSuite suite, BenchSuite::create("styles", options, {"still_life", "bust", "creature"}, tasks));
   for (const std::string& name : suite.scenes()) {
     for (const std::string& style : styles) {
-      if (!suite.wants_task(style)) continue;
-      BenchScene scene = demo_scene(name);
-      scene.shot.style = style;
-      LUM_TRY(const BenchStage probe, open_bench_stage(device, scene, 96, 96));
-      LUM_TRY(const std::vector<UnitRange> ranges, useful_ranges(probe.renderer(), start_of(probe)));
-      const auto make = [&](const BenchStage& stage, std::uint64_t seed) -> Result<BenchTask> {
-        LUM_TRY(const StrokeFile strokes, style_paint(probe, ranges, seed));
-        ParamState start = start_of(stage);
-        LUM_TRY(Canvas canvas, canvas_on(stage, start));
-        LUM_TRY_VOID(canvas.apply(strokes, "generated"));
-        return BenchTask{std::move(start), canvas.target()};
-      };
-      LUM_TRY_VOID(run_painted(device, suite, scene, {{style, make}}, kPlan));
+      for (const int lights : kLights) {
+        const std::string task = task_name(style, lights);
+        if (!suite.wants_task(task)) continue;
+        BenchScene scene = demo_scene(name);
+        scene.shot.style = style;
+        LUM_TRY_VOID(run_style(device, suite, scene, task, lights));
+      }
     }
   }
   return {};

@@ -5,9 +5,10 @@
 
 namespace luminist {
 
-/// Every style folder but `cinematic` is a task, in the creature's scene with one light. For each seed the light's
-/// place, aim and colour and the style's colours are elsewhere; dabs of that picture are painted where it differs. The
-/// light's position, direction and colour and the style's colours are free. errors the renderer's.
+/// Every style folder but `cinematic` is two tasks, "<style>-1" and "<style>-3", with the first lights of the scene's
+/// rig. For each seed their places, aims and colours and the style's colours are elsewhere; dabs of that picture are
+/// painted where it differs. The lights' positions, directions and colours and the style's colours are free.
+/// errors the renderer's.
 Result<void> run_styles(Device& device, const SuiteOptions& options);
 
 }  // namespace luminist

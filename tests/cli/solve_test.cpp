@@ -44,6 +44,47 @@ TEST_F(CliTest, SeveralNewLightsAreSolvedTogetherAndOldOnesStay) {
   EXPECT_GT(json["lights"][2]["unlocked"].size(), 0U);
 }
 
+TEST_F(CliTest, SolvesTheSamePaintInSeveralStylesEachForItself) {
+  const std::string styles = std::string(kSolve) + "--style toon,gooch --unlock style/warm --unlock style/bright ";
+  const Outcome outcome = luminist(styles + "--json -o out");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  const auto json = nlohmann::json::parse(outcome.out, nullptr, false);
+  ASSERT_TRUE(json.is_object()) << outcome.out;
+  for (const char* style : {"toon", "gooch"}) {
+    EXPECT_TRUE(exists(std::string("out/") + style + "/rig.toml")) << style;
+    EXPECT_TRUE(exists(std::string("out/") + style + "/picture.exr")) << style;
+    const auto& one = json["styles"][style];
+    EXPECT_LT(one["epsilon"].get<double>(), one["epsilon_start"].get<double>()) << style;
+  }
+  EXPECT_NE(read("out/toon/rig.toml"), read("out/gooch/rig.toml"));
+  // Each is what the style alone comes to.
+  ASSERT_EQ(luminist(std::string(kSolve) + "--style gooch --unlock style/warm -o alone").status, 0);
+  EXPECT_EQ(read("out/gooch/rig.toml"), read("alone/rig.toml"));
+}
+
+TEST_F(CliTest, SolvesForOneRigInSeveralStylesTogether) {
+  const std::string styles = std::string(kSolve) + "--style toon,halftone --unlock style/bright --unlock style/paper ";
+  const Outcome outcome = luminist(styles + "--together --json -o out");
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
+  const auto json = nlohmann::json::parse(outcome.out, nullptr, false);
+  ASSERT_TRUE(json.is_object()) << outcome.out;
+  EXPECT_LT(json["epsilon"].get<double>(), json["epsilon_start"].get<double>());
+  double mean = 0.0;
+  for (const char* style : {"toon", "halftone"}) mean += json["styles"][style]["epsilon"].get<double>() / 2.0;
+  EXPECT_NEAR(json["epsilon"].get<double>(), mean, 1e-4 * mean);  // sums in floats; no penalty
+  EXPECT_TRUE(json["styles"]["toon"]["style"].contains("bright"));
+  EXPECT_TRUE(json["styles"]["halftone"]["style"].contains("paper"));
+  EXPECT_EQ(read("out/rig.toml"), read("out/toon/rig.toml"));
+  EXPECT_EQ(read("out/rig.toml"), read("out/halftone/rig.toml"));
+}
+
+TEST_F(CliTest, SaysWhichStylesItCannotSolveIn) {
+  expect_error(luminist(std::string(kSolve) + "--together -o out"), 2);
+  expect_error(luminist(std::string(kSolve) + "--style toon,toon -o out"), 2);
+  EXPECT_NE(luminist(std::string(kSolve) + "--style toon,nosuch -o out").status, 0);
+  EXPECT_NE(luminist(std::string(kSolve) + "--style toon,gooch --unlock style/nosuch -o out").status, 0);
+}
+
 TEST_F(CliTest, TheSameSeedGivesTheSameBits) {
   ASSERT_EQ(luminist(std::string(kSolve) + "--seed 7 -o one").status, 0);
   ASSERT_EQ(luminist(std::string(kSolve) + "--seed 7 -o two").status, 0);

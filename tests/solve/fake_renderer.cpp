@@ -1,5 +1,6 @@
 #include "solve/fake_renderer.h"
 
+#include <array>
 #include <cmath>
 
 #include "render/metric.h"
@@ -26,6 +27,25 @@ ParamSpec number(const std::string& name, double value, double low, double high)
   return spec;
 }
 
+ParamSpec color(const std::string& name, double value) {
+  ParamSpec spec = number(name, value, 0.0, 2.0);
+  spec.type = ParamType::kColor;
+  spec.default_value.assign(3, value);
+  spec.range_min.assign(3, 0.0);
+  spec.range_max.assign(3, 2.0);
+  spec.role = "color";
+  spec.solve = true;
+  return spec;
+}
+
+std::vector<ParamSpec> specs_of(FakeStyle style) {
+  std::vector<ParamSpec> specs{number("threshold", 0.4, 0.0, 1.0), number("dark", 0.2, 0.0, 1.0)};
+  if (style != FakeStyle::kTwoTone && style != FakeStyle::kGlowing) return specs;
+  specs.push_back(color("bright", 1.0));
+  specs.push_back(color("shade", 0.2));
+  return specs;
+}
+
 LightTypes load_types() {
   auto types = LightTypes::load(AssetRoots::standard());
   LUM_CHECK(types.has_value(), "tests run where shaders/light is found");
@@ -46,11 +66,13 @@ FakeRenderer::FakeRenderer(int width, int height, FakeStyle style) : types_(load
               {{0.5F, 0.45F, 0.4F}, 0.45F, {0.4F, 0.7F, 0.5F}},
               {{0.2F, 0.8F, -0.9F}, 0.8F, {0.5F, 0.5F, 0.8F}},
               {{1.4F, 0.3F, 0.1F}, 0.3F, {0.8F, 0.8F, 0.3F}}};
-  style_.name = "fake";
+  static constexpr std::array<const char*, 6> kNames{"matte", "toon", "two-tone", "glowing", "dotted", "tinted"};
+  style_.name = kNames[static_cast<std::size_t>(style)];
   style_.lights = style == FakeStyle::kToon ? LightCombination::kJoint : LightCombination::kSum;
-  auto schema = ParamSchema::create({number("threshold", 0.4, 0.0, 1.0), number("dark", 0.2, 0.0, 1.0)}, "fake");
+  auto schema = ParamSchema::create(specs_of(style), "fake");
   LUM_CHECK(schema.has_value(), "the fake's schema is valid");
   style_.schema = *schema;
+  if (style == FakeStyle::kDotted) style_.metric.blur = 0.06F;  // over several dots
   surface_.width = width;
   surface_.height = height;
   surface_.eye = Vec3(0.0F, 1.8F, 5.0F);
@@ -167,6 +189,13 @@ Vec3 FakeRenderer::light_term(const LightValues& light, const ParamState& state,
   }
   Vec3 color = light.color;
   if (kind_ == FakeStyle::kTinted) color = 0.5F * color + Vec3(0.5F * (color.x * color.x + color.y) / 2.0F);
+  if (kind_ == FakeStyle::kTwoTone || kind_ == FakeStyle::kGlowing) {
+    const float width = std::max(softness.threshold, 0.02F);
+    Vec3 bright = state.style.vec3(2);
+    if (kind_ == FakeStyle::kGlowing) bright *= bright;
+    color *= glm::mix(state.style.vec3(3), bright, ramp(state.style.scalar(0) - width, 2.0F * width, facing));
+    facing = 1.0F;
+  }
   return surface_.albedo[pixel] * color * (facing * strength);
 }
 
@@ -185,7 +214,10 @@ Result<Image> FakeRenderer::render(const ParamState& state, const RenderOptions&
   for (const Light& light : state.rig.lights) lights.push_back(read(light));
   Image image(surface_.width, surface_.height, 3);
   for (std::size_t i = 0; i < image.pixels(); ++i) {
-    image.set_rgb(i, shade(state, lights, Candidate::kAllLights, i, {}, options.shadows));
+    const Vec3 color = shade(state, lights, Candidate::kAllLights, i, {}, options.shadows);
+    const std::size_t row = i / static_cast<std::size_t>(surface_.width);
+    const bool gap = kind_ == FakeStyle::kDotted && (i % 4 != 0 || row % 4 != 0);
+    image.set_rgb(i, kind_ != FakeStyle::kDotted ? color : gap ? Vec3(0.0F) : 16.0F * color);
   }
   const double work = static_cast<double>(image.pixels()) * static_cast<double>(lights.size());
   work_.shades += work;

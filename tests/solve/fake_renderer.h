@@ -9,9 +9,12 @@ namespace luminist {
 
 /// How the fake's style shades.
 enum class FakeStyle {
-  kMatte,   ///< Lambert, LightCombination::kSum
-  kToon,    ///< Lambert cut at a threshold (style parameters threshold, dark), kJoint
-  kTinted,  ///< says kSum, but a light's channels mix: its part is not linear channel by channel
+  kMatte,    ///< Lambert, LightCombination::kSum
+  kToon,     ///< Lambert cut at a threshold (style parameters threshold, dark), kJoint
+  kTwoTone,  ///< Lambert cut at a threshold, kSum: the colours `bright` and `shade` on either side, both unlocked
+  kGlowing,  ///< as kTwoTone, but the square of `bright` counts: the picture is not linear in it
+  kDotted,   ///< as kMatte, in bright dots on black; its metric blurs
+  kTinted,   ///< says kSum, but a light's channels mix: its part is not linear channel by channel
 };
 
 class FakeRenderer final : public Renderer {

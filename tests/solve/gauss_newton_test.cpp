@@ -178,7 +178,7 @@ TEST_F(GaussNewtonTest, ALightWhoseShadowEveryoneUsesTouchesEveryone) {
   EXPECT_EQ(parts.touched_by(start, {1, position, 0}), (std::vector<int>{1, 2}));
   EXPECT_EQ(parts.touched_by(start, {1, color, 0}), (std::vector<int>{1}));
   EXPECT_EQ(parts.touched_by(start, {2, position, 0}), (std::vector<int>{2}));
-  EXPECT_EQ(parts.scaled_by({2, color, 1}), 2);
+  EXPECT_EQ(parts.color_of({2, color, 1}), 1);
 }
 
 class TintedTest : public GaussNewtonTest {
@@ -188,7 +188,7 @@ class TintedTest : public GaussNewtonTest {
 
 TEST_F(TintedTest, ColoursThatDoNotScaleAreNotTakenForLinear) {
   LUM_ASSERT_OK(const CellProblem cells, problem(wanted_));
-  EXPECT_EQ(cells.parts().list()[1].color_param, -1);
+  EXPECT_EQ(cells.parts().list()[1].light_color, -1);
   ParamState start = wanted_;
   light(start).set(*light(start).schema().by_role("color"), 0, 0.2);
   LUM_ASSERT_OK(CellPoint point, cells.measure(start));

@@ -139,6 +139,35 @@ TEST(SolveSession, SolvesStylesThatEvaluateAllLightsTogether) {
   EXPECT_EQ(run(session).termination, Termination::kTargetReached);
 }
 
+TEST(SolveSession, FindsTheLightAndTheColoursOfAStyleWithBands) {
+  FakeRenderer renderer(96, 96, FakeStyle::kTwoTone);
+  int found = 0;
+  constexpr int kRuns = 5;
+  for (std::uint64_t seed = 1; seed <= kRuns; ++seed) {
+    ParamState wanted = renderer.empty_state();
+    wanted.rig.lights.push_back(hidden_light(renderer, "hidden", seed));
+    ParamBlock& light = wanted.rig.lights[0].params;
+    light.set_param_locked(-1, true);
+    for (const char* role : {"position", "direction", "color"}) {
+      light.set_param_locked(*light.schema().by_role(role), false);
+    }
+    ParamState start = wanted;
+    ParamBlock& moved = start.rig.lights[0].params;
+    const int position = *moved.schema().by_role("position");
+    moved.set_vec3(position, moved.vec3(position) + Vec3(0.5F, 0.3F, -0.4F));
+    const int bright = *start.style.schema().find("bright");
+    const int shade = *start.style.schema().find("shade");
+    start.style.set_vec3(bright, Vec3(0.4F, 1.5F, 0.7F));
+    start.style.set_vec3(shade, Vec3(0.6F, 0.1F, 0.9F));
+    const Target target = renderer.target_of(wanted, start);
+    LUM_ASSERT_OK(SolveSession session, SolveSession::create(renderer, start, target, {.seed = seed}));
+    const SolveReport report = run(session);
+    // What the threshold leaves at the edges of bands, a pixel here and there, is a few percent of the start's error.
+    found += report.epsilon < 0.05 * report.epsilon_start ? 1 : 0;
+  }
+  EXPECT_GE(found, kRuns - 1);  // some lights fall into another minimum
+}
+
 TEST(SolveSession, IsNeverWorseThanItsStartOnRandomProblems) {
   FakeRenderer renderer(20, 20);
   Random random(77);

@@ -1,0 +1,181 @@
+#include "cli/solve_styles.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include <fmt/format.h>
+
+#include "params/param_text.h"
+#include "studio/results.h"
+#include "studio/shared_solve.h"
+
+namespace luminist {
+namespace {
+
+using Json = nlohmann::json;
+using Sessions = std::vector<std::unique_ptr<Session>>;
+
+std::vector<std::string> style_words(const std::string& text) {
+  std::vector<std::string> words;
+  for (std::size_t begin = 0; begin <= text.size();) {
+    const std::size_t end = std::min(text.find(',', begin), text.size());
+    words.push_back(text.substr(begin, end - begin));
+    begin = end + 1;
+  }
+  return words;
+}
+
+Result<std::vector<Style>> load_styles(const SolveWords& words, const AssetRoots& roots) {
+  std::vector<Style> styles;
+  for (const std::string& name : style_words(words.shot.style)) {
+    const bool twice = std::ranges::any_of(styles, [&](const Style& style) { return style.name == name; });
+    if (twice) return Error{ErrorKind::kUsage, fmt::format("\"{}\" is named twice", name), "", "--style", ""};
+    LUM_TRY(Style style, load_style(roots, name));
+    styles.push_back(std::move(style));
+  }
+  return styles;
+}
+
+/// Whether words as "style/bright=1,1,1" or "style/bright.r" are about a parameter that this style has not, but another
+/// has: what no style has stays, for its error.
+bool is_for_others(const std::string& text, const Style& style, const std::vector<Style>& all) {
+  constexpr std::string_view kPrefix = "style/";
+  if (text.rfind(kPrefix, 0) != 0) return false;
+  const std::string name = text.substr(kPrefix.size(), text.find_first_of("=.", kPrefix.size()) - kPrefix.size());
+  const auto has = [&](const Style& one) { return one.schema->find(name).has_value(); };
+  return !has(style) && std::ranges::any_of(all, has);
+}
+
+/// The words as they are for one of the styles.
+SolveWords words_for(const SolveWords& words, const Style& style, const std::vector<Style>& all) {
+  SolveWords result = words;
+  result.shot.style = style.name;
+  std::erase_if(result.shot.shot.set, [&](const std::string& text) { return is_for_others(text, style, all); });
+  std::erase_if(result.locks.ordered, [&](const auto& lock) { return is_for_others(lock.first, style, all); });
+  return result;
+}
+
+Result<std::unique_ptr<Session>> open_style(Device& device, const SolveWords& words, VerbContext& context,
+                                            Diagnostics& diagnostics) {
+  LUM_TRY(const Shot shot, shot_from(words.shot));
+  return open_task(device, shot, &words.paint, words.shot.constrain, words.locks, context, diagnostics);
+}
+
+std::string folder_of(const SolveWords& words, const std::string& style) {
+  return (std::filesystem::path(words.output) / style).string();
+}
+
+Result<int> solve_each(const SolveWords& words, const std::vector<Style>& styles, Device& device,
+                       VerbContext& context) {
+  Json json = Json::object();
+  bool missed = false;
+  for (const Style& style : styles) {
+    const SolveWords own = words_for(words, style, styles);
+    Diagnostics diagnostics;
+    LUM_TRY(const auto session, open_style(device, own, context, diagnostics));
+    const StopSignals::Grace grace(context.signals);
+    LUM_TRY_VOID(solve_into(*session, own, folder_of(words, style.name), context));
+    const Solved& solved = *session->solved();
+    json["styles"][style.name] = solve_to_json(solved.report, session->shown(), solved.verdict);
+    if (!context.console.json()) context.console.result(style.name);
+    print_solved(context.console, solved, session->shown());
+    missed = missed || (words.until && solved.report.epsilon > *words.until);
+    if (context.signals.stopped() != 0) break;
+  }
+  context.console.result(context.console.json() ? json.dump() : words.output);
+  if (context.signals.stopped() != 0) return 128 + context.signals.stopped();
+  return missed ? 1 : 0;
+}
+
+/// Sessions on the same shot in all styles. Lights are added in the first one, whose rig is everyone's.
+Result<Sessions> open_all(const SolveWords& words, const std::vector<Style>& styles, Device& device,
+                          VerbContext& context, Diagnostics& diagnostics) {
+  Sessions sessions;
+  for (const Style& style : styles) {
+    SolveWords own = words_for(words, style, styles);
+    if (!sessions.empty()) {
+      // Words about lights that only the first session has: their locks come with its rig.
+      own.paint.new_lights = 0;
+      own.shot.constrain.clear();
+      std::erase_if(own.locks.ordered, [](const auto& lock) { return lock.first.rfind("style/", 0) != 0; });
+    }
+    LUM_TRY(auto session, open_style(device, own, context, diagnostics));
+    sessions.push_back(std::move(session));
+  }
+  return sessions;
+}
+
+Result<void> write_shared(const SharedSolve& solve, const Sessions& sessions, const SolveWords& words) {
+  LUM_TRY_VOID(write_file_atomic(std::filesystem::path(words.output) / "rig.toml", rig_to_toml(solve.rig())));
+  LUM_TRY_VOID(
+      write_file_atomic(std::filesystem::path(words.output) / "convergence.jsonl", convergence_lines(solve.report())));
+  for (std::size_t k = 0; k < sessions.size(); ++k) {
+    LUM_TRY(const Target* target, sessions[k]->target());
+    LUM_TRY(const Results results, collect_results(*sessions[k], solve.state(k), *target, std::nullopt));
+    LUM_TRY_VOID(write_results(results, folder_of(words, sessions[k]->stage().style.name)));
+  }
+  return {};
+}
+
+Result<void> print_shared(SharedSolve& solve, const Sessions& sessions, Console& console) {
+  Json json = solve_to_json(solve.report(), solve.state(0));
+  json.erase("style");
+  if (!console.json()) {
+    console.result(report_line(solve.report()));
+    print_free_values(console, solve.state(0), true);
+  }
+  for (std::size_t k = 0; k < sessions.size(); ++k) {
+    const std::string& name = sessions[k]->stage().style.name;
+    LUM_TRY(const SharedSolve::Errors errors, solve.errors(k));
+    json["styles"][name] = {
+        {"epsilon_start", errors.start}, {"epsilon", errors.found}, {"style", block_to_json(solve.state(k).style)}};
+    if (console.json()) continue;
+    console.result(fmt::format("{}: error {:.5f}, was {:.5f}", name, errors.found, errors.start));
+    ParamState style_only = solve.state(k);
+    style_only.rig.lights.clear();
+    style_only.rig.ambient.set_param_locked(-1, true);
+    print_free_values(console, style_only, false);
+  }
+  if (console.json()) console.result(json.dump());
+  return {};
+}
+
+Result<int> solve_together(const SolveWords& words, const std::vector<Style>& styles, Device& device,
+                           VerbContext& context) {
+  Diagnostics diagnostics;
+  LUM_TRY(const Sessions sessions, open_all(words, styles, device, context, diagnostics));
+  std::vector<Session*> all;
+  for (const auto& session : sessions) all.push_back(session.get());
+  LUM_TRY(SharedSolve solve, SharedSolve::create(all, words.options));
+  const StopSignals::Grace grace(context.signals);
+  const Deadline deadline(context.signals, words.seconds);
+  for (bool more = true; more;) {
+    LUM_TRY(more, solve.run_for(std::chrono::milliseconds(50)));
+    context.console.progress(solve.report());
+    if (more && !deadline.go_on()) {
+      solve.stop();
+      more = false;
+    }
+  }
+  LUM_TRY_VOID(write_shared(solve, sessions, words));
+  LUM_TRY_VOID(print_shared(solve, sessions, context.console));
+  if (!context.console.json()) context.console.result(words.output);
+  if (context.signals.stopped() != 0) return 128 + context.signals.stopped();
+  return words.until && solve.report().epsilon > *words.until ? 1 : 0;
+}
+
+}  // namespace
+
+bool several_styles(const SolveWords& words) {
+  return words.shot.style.find(',') != std::string::npos;
+}
+
+Result<int> solve_styles(const SolveWords& words, VerbContext& context) {
+  LUM_TRY(const std::vector<Style> styles, load_styles(words, context.roots));
+  LUM_TRY_VOID(check_folder_output(words.output));
+  LUM_TRY(Device device, Device::create_headless());
+  return words.together ? solve_together(words, styles, device, context) : solve_each(words, styles, device, context);
+}
+
+}  // namespace luminist

@@ -1,0 +1,36 @@
+#include "studio/shared_solve.h"
+
+#include "base/check.h"
+
+namespace luminist {
+
+Result<SharedSolve> SharedSolve::create(std::span<Session* const> sessions, const SolveOptions& options) {
+  LUM_CHECK(!sessions.empty(), "somebody shares the rig");
+  std::vector<View> views;
+  for (Session* session : sessions) {
+    if (!session->painted()) {
+      return Error{ErrorKind::kNothingToDo, "nothing is painted", session->stage().style.name, "",
+                   "paint the light that you want to see"};
+    }
+    LUM_TRY(const Target* target, session->target());
+    views.push_back({session->stage().renderer.get(), *target, session->state().style});
+  }
+  LUM_TRY(std::unique_ptr<Views> joined, Views::create(std::move(views)));
+  ParamState start = joined->joint(sessions.front()->state().rig);
+  SharedSolve shared(std::move(joined), std::move(start));
+  LUM_TRY(shared.solve_, SolveSession::create(*shared.views_, shared.start_, shared.views_->target(), options));
+  return shared;
+}
+
+ParamState SharedSolve::state(std::size_t session) const {
+  return views_->state_of(solve_->best(), static_cast<int>(session));
+}
+
+Result<SharedSolve::Errors> SharedSolve::errors(std::size_t session) {
+  Errors errors;
+  LUM_TRY(errors.start, views_->error_of(start_, static_cast<int>(session)));
+  LUM_TRY(errors.found, views_->error_of(solve_->best(), static_cast<int>(session)));
+  return errors;
+}
+
+}  // namespace luminist
