@@ -90,6 +90,8 @@ Result<void> run_styles(Device& device, const SuiteOptions& options) {
   std::vector<std::string> tasks;
   for (std::string& style : style_names(AssetRoots::standard())) {
     if (style == "cinematic") continue;
+    LUM_TRY(const Style loaded, load_style(AssetRoots::standard(), style));
+    if (!loaded.shades()) continue;
     for (const int lights : kLights) tasks.push_back(task_name(style, lights));
     styles.push_back(std::move(style));
   }

@@ -1,8 +1,11 @@
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -192,6 +195,33 @@ TEST_F(OutlineTest, FollowsItsWidthAndSamplesSeeTheSameLines) {
   }
   EXPECT_GT(inked[0], 100U);
   EXPECT_NEAR(static_cast<double>(inked[1]) / static_cast<double>(inked[0]), 3.0, 0.4);
+}
+
+TEST_F(OutlineTest, IsTheSameWherePicturesAreDrawnInBands) {
+  Scene scene;
+  test::add(scene, test::sphere_mesh(1.0F), "ball");
+  test::add(scene, test::quad_mesh(), "table", test::laid_down(-0.6F, 3.0F));
+  const Camera camera = test::looking(Vec3(0, 3, 5), Vec3(0, -0.6F, 0));
+  LUM_ASSERT_OK(const MeshBuffers meshes, MeshBuffers::create(*device_, scene));
+  LUM_ASSERT_OK(const OutlineBuffers outlines, OutlineBuffers::create(*device_, scene));
+  LineSpec spec;
+  spec.width = 0.04F;
+  spec.silhouette = spec.crease = spec.intersection = spec.border = true;
+  DeepExtras extras;
+  extras.lines = DeepLines{&outlines, spec, scene.frame()};
+  std::vector<std::vector<Vec4>> normals;
+  for (const std::size_t band_bytes : {std::size_t{1} << 29U, std::size_t{kWidth} * 2000 * 7}) {  // seven rows at most
+    LUM_ASSERT_OK(const DeepFramebuffer deep, DeepFramebuffer::create(*device_, AssetRoots::standard(), meshes, scene,
+                                                                      camera, kWidth, kHeight, extras, band_bytes));
+    normals.emplace_back(deep.sample_count());
+    deep.normal().read(0, std::span<Vec4>(normals.back()));
+  }
+  ASSERT_EQ(normals[0].size(), normals[1].size());
+  for (std::size_t i = 0; i < normals[0].size(); ++i) {
+    // The material and the kind of line in bits; directions are interpolated from another corner of the viewport.
+    ASSERT_EQ(std::bit_cast<std::uint32_t>(normals[0][i].w), std::bit_cast<std::uint32_t>(normals[1][i].w)) << i;
+    ASSERT_LT(glm::distance(Vec3(normals[0][i]), Vec3(normals[1][i])), 1e-4F) << i;
+  }
 }
 
 }  // namespace
