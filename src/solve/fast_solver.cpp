@@ -238,7 +238,7 @@ Result<void> FastSolver::look_again() {
       phase_ = Phase::kDone;
       return {};
     }
-    if (banded_ && few_) {
+    if (banded_) {
       begin_round();
       return {};
     }
@@ -326,7 +326,8 @@ void FastSolver::begin_round() {
   epsilon_before_round_ = epsilon;
   exploring_ = false;
   ++round_;
-  switch ((round_ + (few_ ? 2 : 0)) % 3) {  // where little turns, the simplex is worth many cells and the first turn
+  switch ((round_ + (few_ || banded_ ? 2 : 0)) %
+          3) {  // where little turns, the simplex is worth many cells and the first turn
     case 1:
       exploring_ = true;
       begin_exploration(incumbent_->state, kNear);
@@ -362,7 +363,7 @@ Result<void> FastSolver::explore() {
 
 Result<void> FastSolver::run_simplex() {
   if (!simplex_) {
-    const CellProblem& problem = problems_[few_ ? (banded_ ? kSharp : kExact) : kNear];
+    const CellProblem& problem = problems_[banded_ ? kSharp : few_ ? kExact : kNear];
     LUM_TRY(const CellPoint here, problem.measure(incumbent_->state));
     const int block = free_blocks_[simplex_turn_++ % free_blocks_.size()];
     simplex_ = SampleSimplex::create(problem, here, block, focus_, kSimplexSize);
@@ -378,7 +379,7 @@ Result<void> FastSolver::run_simplex() {
   }
   // A simplex leaves the ranges, and a descent may stay where it begins.
   begin_descents({{in_range(simplex_->best().state, renderer_->frame(), focus_)}},
-                 few_ ? std::span<const FastStage>(kPolish) : std::span(kNearSearch).subspan(1));
+                 few_ || banded_ ? std::span<const FastStage>(kPolish) : std::span(kNearSearch).subspan(1));
   simplex_.reset();
   return {};
 }
