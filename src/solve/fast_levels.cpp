@@ -2,15 +2,14 @@
 
 namespace luminist {
 
-FastLevels fast_levels(const CellSampler& sampler, float blur, std::uint64_t seed) {
-  const int per_cell = blur > 0.0F ? 4 : 1;
+FastLevels fast_levels(const CellSampler& sampler, std::uint64_t seed) {
   FastLevels levels;
-  levels[kScout] = {sampler.cut(160, per_cell, seed), {0.08F, 0.10F, 0.3F, 1}, 0.015, 0.006, 12};
-  levels[kSoft] = {sampler.cut(144, 4 * per_cell, seed + 1), {0.08F, 0.10F, 0.3F, 2}, 0.015, 0.006, 12};
-  levels[kMiddle] = {sampler.cut(256, 4 * per_cell, seed + 2), {0.03F, 0.04F, 0.1F, 2}, 0.008, 0.005, 10};
-  levels[kNear] = {sampler.cut(320, per_cell, seed + 4), {0.0F, 0.0F, 0.0F, 4}, 0.004, 0.003, 12};
-  levels[kSharp] = {sampler.cut(2304, per_cell, seed + 3), {0.0F, 0.0F, 0.0F, 8}, 0.004, 0.003, 12};
-  levels[kExact] = {sampler.cut(8192, per_cell, seed + 5), {0.0F, 0.0F, 0.0F, 4}, 0.004, 0.003, 12};
+  levels[kScout] = {sampler.cut(160, 1, seed), {0.08F, 0.10F, 0.3F, 1}, 0.015, 0.006, 12};
+  levels[kSoft] = {sampler.cut(144, 4, seed + 1), {0.08F, 0.10F, 0.3F, 2}, 0.015, 0.006, 12};
+  levels[kMiddle] = {sampler.cut(256, 4, seed + 2), {0.03F, 0.04F, 0.1F, 2}, 0.008, 0.005, 10};
+  levels[kNear] = {sampler.cut(320, 1, seed + 4), {0.0F, 0.0F, 0.0F, 4}, 0.004, 0.003, 12};
+  levels[kSharp] = {sampler.cut(2304, 1, seed + 3), {0.0F, 0.0F, 0.0F, 8}, 0.004, 0.003, 12};
+  levels[kExact] = {sampler.cut(8192, 1, seed + 5), {0.0F, 0.0F, 0.0F, 4}, 0.004, 0.003, 12};
   return levels;
 }
 

@@ -16,8 +16,9 @@ enum FastLevel : std::size_t { kScout, kSoft, kMiddle, kNear, kSharp, kExact, kF
 
 using FastLevels = std::array<Level, kFastLevels>;
 
-/// blur: of the style's metric; a blurred metric sees means, so cells get more samples. cost O(pixels).
-FastLevels fast_levels(const CellSampler& sampler, float blur, std::uint64_t seed);
+/// Under a blurred metric samples are as few: what it blurs gives way to its mean where samples are shaded, and the
+/// target's are blurred. cost O(pixels).
+FastLevels fast_levels(const CellSampler& sampler, std::uint64_t seed);
 
 /// A field on the cells of every level.
 using FastFields = std::array<CellField, kFastLevels>;

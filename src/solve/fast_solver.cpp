@@ -9,12 +9,13 @@
 namespace luminist {
 namespace {
 
-constexpr double kGoodEnough = 0.01;  // of the start's epsilon: nobody sees the rest
-constexpr double kRoundGain = 0.02;   // of what was gained so far: a round that gains less was idle
-constexpr int kRounds = 12;           // twice as many for a stated goal
-constexpr int kIdleRounds = 3;        // a whole cycle: around the best, around the start, the simplex
-constexpr int kScouts = 5;            // explorations before the first picture...
-constexpr int kIdleScouts = 2;        // ...fewer if so many in a row gain little...
+constexpr double kGoodEnough = 0.01;     // of the start's epsilon: nobody sees the rest
+constexpr double kRoundGain = 0.02;      // of what was gained so far: a round that gains less was idle
+constexpr int kRounds = 12;              // twice as many for a stated goal
+constexpr int kIdleRounds = 3;           // a whole cycle: around the best, around the start, the simplex
+constexpr int kIdleRoundsWithBands = 4;  // the simplex from the start, too
+constexpr int kScouts = 5;               // explorations before the first picture...
+constexpr int kIdleScouts = 2;           // ...fewer if so many in a row gain little...
 constexpr double kScoutGain = 0.1;
 constexpr double kGlanceGain = 0.02;  // worth a picture before the search goes on
 constexpr double kClear = 0.15;       // ...or few samples are this near to the target, of the start's distance
@@ -23,6 +24,7 @@ constexpr double kHopeless = 1.2;     // times the cost at home: not worth the s
 constexpr std::size_t kPool = 24;     // variants that descend
 constexpr int kSimplexSlice = 25;     // points in one step
 constexpr double kSimplexSize = 0.1;
+constexpr double kWideSimplexSize = 0.2;
 constexpr float kWideBand = 0.3F;  // as on the softest level
 constexpr int kFew = 9;            // degrees of freedom besides colours
 
@@ -50,7 +52,7 @@ Result<void> FastSolver::prepare(std::shared_ptr<const EdgeMask> edges) {
   Target seen;
   if (metric.blur > 0.0F) seen = as_compared(*target_, metric);
   const CellSampler sampler(renderer_->surface(), metric.blur > 0.0F ? seen : *target_, std::move(edges));
-  levels_ = fast_levels(sampler, metric.blur, progress_->options().seed);
+  levels_ = fast_levels(sampler, progress_->options().seed);
   LUM_TRY(parts_, PictureParts::create(*renderer_, start, levels_[kScout].cells.samples));
   LUM_TRY(const auto still, shown(start, objective_.moving()));
   for (std::size_t level = 0; level < levels_.size(); ++level) {
@@ -238,7 +240,7 @@ Result<void> FastSolver::look_again() {
       phase_ = Phase::kDone;
       return {};
     }
-    if (banded_ && few_) {
+    if (banded_) {
       begin_round();
       return {};
     }
@@ -319,14 +321,17 @@ void FastSolver::begin_round() {
   const bool wanted = progress_->options().until > 0.0;  // a stated goal is worth every round
   const int most = wanted ? 2 * kRounds : kRounds;
   const int rounds = progress_->options().restarts >= 0 ? progress_->options().restarts : most;
-  if (good_enough() || (idle_rounds_ >= kIdleRounds && !wanted) || round_ >= rounds || free_blocks_.empty()) {
+  if (good_enough() || (idle_rounds_ >= (banded_ ? kIdleRoundsWithBands : kIdleRounds) && !wanted) ||
+      round_ >= rounds || free_blocks_.empty()) {
     phase_ = Phase::kDone;
     return;
   }
   epsilon_before_round_ = epsilon;
   exploring_ = false;
   ++round_;
-  switch ((round_ + (few_ ? 2 : 0)) % 3) {  // where little turns, the simplex is worth many cells and the first turn
+  // Where little turns, or bands have no slope, the simplex has the first turn; with bands a second one from the start.
+  const int turn = banded_ ? (round_ + 2) % 4 : (round_ + (few_ ? 2 : 0)) % 3;
+  switch (turn) {
     case 1:
       exploring_ = true;
       begin_exploration(incumbent_->state, kNear);
@@ -362,10 +367,11 @@ Result<void> FastSolver::explore() {
 
 Result<void> FastSolver::run_simplex() {
   if (!simplex_) {
-    const CellProblem& problem = problems_[few_ ? (banded_ ? kSharp : kExact) : kNear];
-    LUM_TRY(const CellPoint here, problem.measure(incumbent_->state));
+    const CellProblem& problem = problems_[banded_ ? kSharp : few_ ? kExact : kNear];
+    const bool anew = banded_ && round_ % 4 == 2;
+    LUM_TRY(const CellPoint here, problem.measure(anew ? start_ : incumbent_->state));
     const int block = free_blocks_[simplex_turn_++ % free_blocks_.size()];
-    simplex_ = SampleSimplex::create(problem, here, block, focus_, kSimplexSize);
+    simplex_ = SampleSimplex::create(problem, here, block, focus_, anew ? kWideSimplexSize : kSimplexSize);
     LUM_CHECK(simplex_ != nullptr, "free blocks have something to turn besides colours");
   }
   const double before = simplex_->best().cost;
@@ -378,7 +384,7 @@ Result<void> FastSolver::run_simplex() {
   }
   // A simplex leaves the ranges, and a descent may stay where it begins.
   begin_descents({{in_range(simplex_->best().state, renderer_->frame(), focus_)}},
-                 few_ ? std::span<const FastStage>(kPolish) : std::span(kNearSearch).subspan(1));
+                 few_ || banded_ ? std::span<const FastStage>(kPolish) : std::span(kNearSearch).subspan(1));
   simplex_.reset();
   return {};
 }

@@ -24,8 +24,8 @@ namespace luminist {
 /// 4. unless that is good enough, rounds: variants around the best, variants around the start, a simplex over one light
 ///    on the samples, which sees what has no slope. What is better on many cells is compared on the full picture.
 ///
-/// Where the style has bands (find_bands()) and little turns, the simplex on many samples comes right after the first
-/// descents, and pictures are compared on the way.
+/// Where the style has bands (find_bands()), the simplex on many samples comes right after the first descents, and
+/// pictures are compared on the way.
 ///
 /// A variant descends with its own light and all colours first, on true edges where the samples are near the target.
 /// Ends when the goal is reached or rounds gain nothing. Deterministic by options().seed.
