@@ -14,6 +14,7 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr double kSimplexSize = 0.1;         // of the paper's solver
+constexpr double kInVain = 0.98;             // of the start's error, left
 constexpr double kBlurredSimplexSize = 0.2;  // for a metric with plateaus
 
 bool nothing_counts(const SurfaceBuffer& surface, const Target& target) {
@@ -77,10 +78,12 @@ class SolveSession::Impl {
     by_simplex_ = true;
   }
 
-  /// `auto` goes on with whole pictures where samples cannot see what the metric sees.
+  /// `auto` goes on with whole pictures where samples did not see what the metric sees: nothing came of them.
   void end_of_solver() {
+    const SolveReport& report = progress_.report();
     const bool automatic = progress_.options().solver == SolverKind::kAuto;
-    if (automatic && !by_simplex_ && renderer_->style().metric.blur > 0.0F) {
+    const bool in_vain = report.epsilon > kInVain * report.epsilon_start;
+    if (automatic && !by_simplex_ && renderer_->style().metric.blur > 0.0F && in_vain) {
       use_simplex({.size = kBlurredSimplexSize, .restarts = 2, .restart_gain = 0.01});
       return;
     }
