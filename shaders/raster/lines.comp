@@ -16,7 +16,7 @@ const uint kBorder = 4u;
 const uint kLineBits = 0xF0000000u;
 const float kTouching = 1.5;  // pixels that surfaces may be apart where they meet
 const float kGap = 3.0;       // line widths that they may be apart, and no hull fits between them
-const int kFarthest = 12;     // pixels
+const int kFarthest = 24;     // pixels
 
 struct Point {
   uvec2 id;
@@ -79,14 +79,14 @@ uint line_at(ivec2 texel, int layer, float radius) {
   return 0u;
 }
 
-// Whether a line may be near, by a look in eight directions: most pixels are far from any.
+// Whether a line may be near, by a look at the pixels' centres: most pixels are far from any.
 bool is_near(ivec2 texel, float radius) {
   uvec2 id = texelFetch(id_layers, ivec3(texel, 0), 0).xy;
   int reach = int(ceil(radius)) + 1;
-  for (int far = 1; far <= reach; ++far) {
-    for (int k = 0; k < 9; ++k) {
-      ivec2 there = texel + far * (ivec2(k % 3, k / 3) - 1);
-      if (k != 4 && is_inside(there) && texelFetch(id_layers, ivec3(there, 0), 0).xy != id) return true;
+  for (int y = -reach; y <= reach; ++y) {
+    for (int x = -reach; x <= reach; ++x) {
+      ivec2 there = texel + ivec2(x, y);
+      if (is_inside(there) && texelFetch(id_layers, ivec3(there, 0), 0).xy != id) return true;
     }
   }
   return false;

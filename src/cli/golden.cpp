@@ -34,7 +34,7 @@ StylePlace place_of(const std::string& words, const AssetRoots& standard) {
   if (!is_folder) return {path.filename().string(), standard};
   std::vector<fs::path> roots = standard.folders();
   roots.insert(roots.begin(), folder.parent_path().parent_path());
-  return {path.filename().string(), AssetRoots(std::move(roots))};
+  return {folder.filename().string(), AssetRoots(std::move(roots))};
 }
 
 /// The cases of that name; all if none is named.

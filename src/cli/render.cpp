@@ -21,15 +21,15 @@ struct Words {
 
 /// Renders again whenever a file of the style is written, until a signal ends it; a version with a mistake is reported,
 /// and the last good picture stays.
-int watch(const Words& words, Stage& stage, ParamState state, VerbContext& context) {
+int watch(const Words& words, Stage& stage, ParamState state, StyleFiles files, VerbContext& context) {
   const StopSignals::Grace grace(context.signals);
-  StyleFiles files(stage.style);
   context.console.progress("watching " + stage.style.folder);
   while (context.signals.stopped() == 0) {
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
     if (!files.changed()) continue;
     const auto draw = [&]() -> Result<void> {
       LUM_TRY(ParamState next, reload_style(stage, context.roots, state));
+      files.follow(stage.style);
       LUM_TRY(const Image picture, stage.renderer->render(next));
       state = std::move(next);
       return write_image(words.output, picture);
@@ -59,10 +59,11 @@ Result<int> render(const Words& words, VerbContext& context) {
     doubts.warn(shot.scene, "no lights, so only the dim ambient shows; give --rig, or paint and solve");
   }
   context.console.warn(doubts);
+  StyleFiles files((*stage)->style);
   LUM_TRY(const Image picture, (*stage)->renderer->render(state));
   LUM_TRY_VOID(write_image(words.output, picture));
   context.console.result(words.output);
-  return words.watch ? watch(words, **stage, std::move(state), context) : 0;
+  return words.watch ? watch(words, **stage, std::move(state), std::move(files), context) : 0;
 }
 
 }  // namespace

@@ -40,7 +40,8 @@ Result<int> solve(const SolveWords& words, VerbContext& context) {
 void declare_solver(CLI::App& app, SolveWords& words) {
   app.add_option("--solver", words.solver, "auto, fast or simplex")->check(CLI::IsMember({"auto", "fast", "simplex"}));
   require_from_zero(*app.add_option("--seed", words.options.seed, "Of the random restarts (default: 1)"));
-  CLI::Option* seconds = declare_seconds(app, words.seconds, "Stops after that time; the best so far is written");
+  CLI::Option* seconds =
+      declare_seconds(app, words.seconds, "Stops after that time, each style for itself; the best so far is written");
   require_above_zero(
       *app.add_option("--evals", words.options.max_evals, "Compares at most so many full pictures")->excludes(seconds));
   require_from_zero(*app.add_option("--until", words.until, "Stops at that error; status 1 if it is not reached"));

@@ -31,7 +31,7 @@ Result<std::vector<Style>> load_styles(const SolveWords& words, const AssetRoots
   for (const std::string& name : style_words(words.shot.style)) {
     const bool twice = std::ranges::any_of(styles, [&](const Style& style) { return style.name == name; });
     if (twice) return Error{ErrorKind::kUsage, fmt::format("\"{}\" is named twice", name), "", "--style", ""};
-    LUM_TRY(Style style, load_style(roots, name));
+    LUM_TRY(Style style, load_whole_style(roots, name));
     styles.push_back(std::move(style));
   }
   return styles;

@@ -56,7 +56,7 @@ class DeepPasses {
   [[nodiscard]] int margin() const { return lines_ ? kLineMargin : 0; }
   void set_material(const Material& material);
 
-  static constexpr int kLineMargin = 13;  // as far as shaders/raster/lines.comp reaches
+  static constexpr int kLineMargin = 26;  // as far as shaders/raster/lines.comp reaches
 
   const MeshBuffers* meshes_ = nullptr;
   const Scene* scene_ = nullptr;

@@ -13,8 +13,9 @@ namespace {
 
 constexpr unsigned kSilhouette = 1;  // LINE_... of shaders/lib/surface.glsl
 constexpr unsigned kCrease = 2;
-constexpr float kPull = 1.0F;  // widths that a crease is moved to the eye, so that it lies on the surface
-constexpr float kPush = 1.0F;  // widths that a hull is moved away from the eye, so that shallow folds get no line
+constexpr float kPull = 1.0F;      // widths that a crease is moved to the eye, so that it lies on the surface
+constexpr float kNearest = 0.25F;  // scene radii, of the depth at which widths are measured
+constexpr float kPush = 1.0F;      // widths that a hull is moved away from the eye, so that shallow folds get no line
 
 Result<Program> load_marking(Device& device, const AssetRoots& roots) {
   std::vector<SourceChunk> chunks;
@@ -37,7 +38,8 @@ Result<LinePasses> LinePasses::create(Device& device, const AssetRoots& roots, c
   passes.height_ = height;
   passes.pixel_angle_ = 2.0F * std::tan(0.5F * camera.fov_y) / static_cast<float>(height);
   const Vec3 ahead = -glm::normalize(Vec3(camera.world_from_camera[2]));
-  passes.reference_depth_ = std::max(glm::dot(lines.frame.center - passes.eye_, ahead), 1e-3F * lines.frame.radius);
+  // A camera within the scene may look away from its centre.
+  passes.reference_depth_ = std::max(glm::dot(lines.frame.center - passes.eye_, ahead), kNearest * lines.frame.radius);
   passes.aspect_ = static_cast<float>(width) / static_cast<float>(height);
   LUM_TRY(const SourceChunk hull, load_chunk(roots, "shaders/raster/outline.vert"));
   LUM_TRY(const SourceChunk edge, load_chunk(roots, "shaders/raster/crease.vert"));
@@ -113,6 +115,7 @@ void LinePasses::draw_creases(const Mat4& clip_from_world) {
 
 void LinePasses::mark(Device& device, std::size_t pixels) {
   const LineSpec& spec = lines_.spec;
+  glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);  // of the band before
   const GLuint none = 0;
   glClearTexImage(kinds_.name(), 0, GL_RED_INTEGER, GL_UNSIGNED_INT, &none);
   if (!spec.marked() || !(spec.width > 0.0F)) return;

@@ -298,7 +298,8 @@ Result<void> RasterRenderer::Impl::resolve(const GlBuffer& colors) {
   return Error{ErrorKind::kStyle,
                fmt::format("the style '{}' gives values that are not finite in {} of {} pixels", style_.name, bad,
                            deep_->pixel_count()),
-               style_.glsl_path, "", "guard divisions, square roots and powers; see shaders/lib/helpers.glsl"};
+               style_.ink_path.empty() ? style_.glsl_path : fmt::format("{} or {}", style_.glsl_path, style_.ink_path),
+               "", "guard divisions, square roots and powers; see shaders/lib/helpers.glsl"};
 }
 
 Result<void> RasterRenderer::Impl::draw(const ParamState& state, const RenderOptions& options) {

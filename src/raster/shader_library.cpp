@@ -171,12 +171,15 @@ Result<Program> compile_relight(Device& device, const RelightLayout& layout, con
   if (program) return program;
   Error error = std::move(program).error();
   // The three chunks behind the style's files are ours and right, so what is wrong there came out of the last of them.
-  const bool inked = !style.ink_path.empty();
+  const bool inked = !style.ink_path.empty() && error.what.find("'shade'") == std::string::npos;
   for (std::size_t i = chunks.size() - 3; i < chunks.size(); ++i) {
     if (!error.where.starts_with(chunks[i].file + ":")) continue;
     error.where = inked ? style.ink_path : style.glsl_path;
     error.hint =
         fmt::format("the file must define `{}(Surface s)` and close every brace", inked ? "vec4 ink" : "vec3 shade");
+  }
+  if (inked && error.where.starts_with(style.ink_path + ":") && error.hint.empty()) {
+    error.hint = fmt::format("if that line is right, a brace is open in {}", style.glsl_path);
   }
   return error;
 }

@@ -38,11 +38,7 @@ Result<std::unique_ptr<Stage>> open_stage(Device& device, const AssetRoots& root
                                           const std::filesystem::path& folder, Diagnostics& diagnostics) {
   LUM_TRY_VOID(check_size(shot.width, shot.height));
   auto stage = std::make_unique<Stage>();
-  LUM_TRY(stage->style, load_style(roots, shot.style));
-  if (!stage->style.shades()) {
-    return Error{ErrorKind::kUsage, fmt::format("the style \"{}\" only draws lines over another", shot.style), "",
-                 "style", fmt::format("name the one below it, as toon+{}", shot.style)};
-  }
+  LUM_TRY(stage->style, load_whole_style(roots, shot.style));
   LUM_TRY(stage->types, LightTypes::load(roots));
   LUM_TRY(const std::string path, find_input(shot.scene, folder, roots));
   LUM_TRY(Scene scene, load_scene(path, shot.scene_options, diagnostics));

@@ -35,8 +35,9 @@ void carry_over(const ParamBlock& before, ParamBlock& now, const SceneFrame& fra
 
 }  // namespace
 
-StyleFiles::StyleFiles(const Style& style) {
+void StyleFiles::follow(const Style& style) {
   std::set<fs::path> folders{fs::path(style.folder)};
+  if (!style.ink_folder.empty()) folders.insert(fs::path(style.ink_folder));
   for (const std::string& path : {style.glsl_path, style.ink_path}) {
     if (!path.empty()) folders.insert(fs::path(path).parent_path());
   }

@@ -11,7 +11,9 @@ namespace luminist {
 /// Remembers when the files of a style were written: manifests, GLSL, textures.
 class StyleFiles {
  public:
-  explicit StyleFiles(const Style& style);
+  explicit StyleFiles(const Style& style) { follow(style); }
+  /// A new version may have files elsewhere: what is there now is known.
+  void follow(const Style& style);
   /// Whether one was written, added or removed since the last look (or since this was made).
   [[nodiscard]] bool changed();
 

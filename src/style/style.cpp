@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "params/spec_rules.h"
 #include "params/toml_reader.h"
 
 namespace luminist {
@@ -51,11 +52,15 @@ void read_shaders(TomlReader& read, const fs::path& manifest, Style& style) {
     read.fail("shade", "\"shade\" is missing", "name the GLSL file, as shade = \"style.glsl\"");
 }
 
-bool is_identifier(const std::string& name) {
-  return !name.empty() && name.size() <= 40 && name.front() >= 'a' && name.front() <= 'z' &&
-         std::ranges::all_of(name,
-                             [](char c) { return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '_'; }) &&
-         name.find("__") == std::string::npos && !name.starts_with("lum_") && !name.starts_with("gl_");
+/// Whether GLSL may call a texture so: as a parameter, and not as what the host declares.
+bool is_texture_name(const std::string& name) {
+  static constexpr std::string_view kHost = " style shade ink light ambient ";
+  ParamSpec spec;
+  spec.name = name;
+  spec.default_value = {0.0};
+  const auto fault = find_fault(spec);
+  return !(fault && fault->key == "name") && !name.starts_with("lum_") &&
+         kHost.find(fmt::format(" {} ", name)) == std::string_view::npos;
 }
 
 Result<StyleTexture> read_texture(const TomlValue& table, const Style& style, const fs::path& manifest) {
@@ -65,8 +70,9 @@ Result<StyleTexture> read_texture(const TomlValue& table, const Style& style, co
   texture.path = read_beside(read, manifest, "file");
   texture.levels = read.integer("levels", 0);
   const auto is_taken = [&](const StyleTexture& other) { return other.name == texture.name; };
-  if (!is_identifier(texture.name)) {
-    read.fail("name", fmt::format("\"{}\" cannot name a texture", texture.name), "use a to z, 0 to 9 and _");
+  if (!is_texture_name(texture.name)) {
+    read.fail("name", fmt::format("\"{}\" cannot name a texture", texture.name),
+              "use a to z, 0 to 9 and _, and no word of GLSL");
   } else if (std::ranges::any_of(style.textures, is_taken)) {
     read.fail("name", fmt::format("two textures are named \"{}\"", texture.name), "rename one of them");
   }
@@ -206,8 +212,19 @@ Result<Style> stacked(Style below, const Style& lines) {
   below.name = fmt::format("{}+{}", below.name, lines.name);
   below.doc = fmt::format("{} {}", below.doc, lines.doc);
   below.ink_path = lines.ink_path;
+  below.ink_folder = lines.folder;
   below.strokes = below.strokes || lines.strokes;
-  below.textures.insert(below.textures.end(), lines.textures.begin(), lines.textures.end());
+  for (const StyleTexture& texture : lines.textures) {
+    const bool taken =
+        std::ranges::any_of(below.textures, [&](const auto& other) { return other.name == texture.name; });
+    if (taken || below.textures.size() >= kMaxTextures) {
+      return Error{ErrorKind::kStyle,
+                   taken ? fmt::format("both styles have a texture \"{}\"", texture.name)
+                         : fmt::format("both styles together have more than {} textures", kMaxTextures),
+                   fmt::format("{}/{}", lines.folder, kManifest), "texture", taken ? "rename one of them" : ""};
+    }
+    below.textures.push_back(texture);
+  }
   below.golden.clear();
   return below;
 }
@@ -226,6 +243,13 @@ Result<Style> load_style(const AssetRoots& roots, const std::string& name) {
                  "", "style", "write a style that shades, then one that draws lines, as toon+outline"};
   }
   return stacked(std::move(style), lines);
+}
+
+Result<Style> load_whole_style(const AssetRoots& roots, const std::string& name) {
+  LUM_TRY(Style style, load_style(roots, name));
+  if (style.shades()) return style;
+  return Error{ErrorKind::kUsage, fmt::format("the style \"{}\" only draws lines over another", name), "", "style",
+               fmt::format("name the one below it, as toon+{}", name)};
 }
 
 std::vector<std::string> style_names(const AssetRoots& roots) {

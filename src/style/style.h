@@ -48,9 +48,10 @@ struct Style {
   std::string name;
   std::string folder;
   std::string doc;
-  std::string glsl_path;  ///< defines `vec3 shade(Surface s)`; empty for a style that only draws lines
-  std::string ink_path;   ///< defines `vec4 ink(Surface s)`, the colour of lines; empty: there are none
-  bool strokes = false;   ///< shade() reads Surface.stroke, so the meshes are unwrapped
+  std::string glsl_path;   ///< defines `vec3 shade(Surface s)`; empty for a style that only draws lines
+  std::string ink_folder;  ///< of the manifest of ink_path
+  std::string ink_path;    ///< defines `vec4 ink(Surface s)`, the colour of lines; empty: there are none
+  bool strokes = false;    ///< shade() reads Surface.stroke, so the meshes are unwrapped
   std::vector<StyleTexture> textures;
   LightCombination lights = LightCombination::kJoint;
   int lights_param = -1;  ///< the choice that says how lights combine, in place of `lights`; -1: none
@@ -69,6 +70,9 @@ struct Style {
 /// "toon+outline" is both, with the parameters of both. errors kStyle at path:line:col with the nearest valid key;
 /// kMissing with the styles there are; kUsage for a stack that is none.
 Result<Style> load_style(const AssetRoots& roots, const std::string& name);
+
+/// The same for a style that can be a picture of its own. errors kUsage for one that only draws lines over others.
+Result<Style> load_whole_style(const AssetRoots& roots, const std::string& name);
 
 /// The names of all styles, sorted; those that draw lines over others too.
 std::vector<std::string> style_names(const AssetRoots& roots);

@@ -158,6 +158,25 @@ TEST_F(OutlineTest, DrawsALineWhereObjectsMeet) {
   EXPECT_LT(nothing, 1.0F);
 }
 
+TEST_F(OutlineTest, OfSomethingSmallIsAsWideInEveryDirection) {
+  Scene scene;
+  test::add(scene, test::quad_mesh(), "wall", test::moved(Vec3(0), Vec3(4.0F)));
+  test::add(scene, test::sphere_mesh(0.06F, 24), "nail");
+  const Camera camera = test::looking(Vec3(0, 0, 6), Vec3(0));
+  const Image picture = draw(scene, camera,
+                             {"style/line_width=0.05", "style/line_inner=2", "style/line_border=0",
+                              "style/line_silhouette=0", "style/line_crease=0"});
+  // The nail is two pixels in radius, and the line reaches eight farther.
+  for (int y = -8; y <= 8; ++y) {
+    for (int x = -8; x <= 8; ++x) {
+      const double far = std::hypot(x + 0.5, y + 0.5);
+      if (far > 4.0 && far < 8.0) {
+        EXPECT_GT(ink(picture, kWidth / 2 + x, kHeight / 2 + y), 0.9F) << x << ", " << y;
+      }
+    }
+  }
+}
+
 TEST_F(OutlineTest, OfNoWidthIsThePictureWithoutIt) {
   Scene scene;
   test::add(scene, test::box_mesh(), "cube");

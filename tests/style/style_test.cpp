@@ -108,7 +108,7 @@ TEST_F(StyleFiles, ReportMistakesAtTheirPlace) {
   const std::string good = kGood;  // 2 lines
   const std::string golden =
       good + "[[golden]]\nname = \"a\"\nscene = \"s\"\nmax_difference = 0\nmean_difference = 0\nreason = \"r\"\n";
-  const std::array<std::array<std::string, 3>, 23> mistakes = {{
+  const std::array<std::array<std::string, 3>, 24> mistakes = {{
       {"shade = \"plain.glsl\"\n", ":1:1", "\"doc\" is missing"},
       {"doc = \"p\"\n", ":1:1", "\"shade\" is missing"},
       {"doc = \"p\"\nshader = \"plain.glsl\"\n", ":2:1", "did you mean \"shade\""},
@@ -132,6 +132,7 @@ TEST_F(StyleFiles, ReportMistakesAtTheirPlace) {
        ":8:10", "need a reason"},
       {"doc = \"p\"\nink = \"gone.glsl\"\n", ":2:7", "\"gone.glsl\", which is not there"},
       {good + "[[texture]]\nname = \"Grain\"\nfile = \"plain.glsl\"\n", ":4:8", "cannot name a texture"},
+      {good + "[[texture]]\nname = \"float\"\nfile = \"plain.glsl\"\n", ":4:8", "cannot name a texture"},
       {good + "[[texture]]\nname = \"grain\"\nfile = \"gone.png\"\n", ":5:8", "which is not there"},
       {good + "[[texture]]\nname = \"grain\"\nfile = \"plain.glsl\"\nlevels = 13\n", ":6:10", "outside 0 to 12"},
       {golden + "style = \"toon\"\n", ":9:9", "seen by itself"},
