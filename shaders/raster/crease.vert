@@ -13,7 +13,6 @@ uniform float width;  // world, at the depth of reference
 uniform float reference_depth;
 uniform float growth;  // exponent of the width with depth: 1 keeps it on the picture, 0 in the world
 uniform float pull;
-uniform float aspect;
 uniform float least_angle;
 
 out vec3 world_position;

@@ -2,23 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <map>
-#include <tuple>
 #include <utility>
 
-#include "prep/repair.h"
+#include "prep/surface_sides.h"
 
 namespace luminist {
 namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
 using DVec3 = glm::dvec3;
-
-DVec3 face_normal(const WeldedMesh& surface, const Triangle& t) {
-  const DVec3 a(surface.positions[t[0]]);
-  return glm::normalize(glm::cross(DVec3(surface.positions[t[1]]) - a, DVec3(surface.positions[t[2]]) - a));
-}
 
 double corner_angle(const WeldedMesh& surface, const Triangle& t, std::size_t k) {
   const DVec3 p(surface.positions[t[k]]);
@@ -38,17 +31,18 @@ Vec3 mitred(const DVec3& direction, double least_cosine) {
   return Vec3(direction / std::max(least_cosine, 1.0 / static_cast<double>(OutlineHull::kLongest)));
 }
 
-std::vector<Vec3> hull_directions(const WeldedMesh& surface) {
+std::vector<Vec3> hull_directions(const WeldedMesh& surface, const SurfaceSides& sides) {
   std::vector<DVec3> sums(surface.positions.size(), DVec3(0.0));
-  for (const Triangle& t : surface.triangles) {
-    const DVec3 normal = face_normal(surface, t);
-    for (std::size_t k = 0; k < 3; ++k) sums[t[k]] += corner_angle(surface, t, k) * normal;
+  for (std::size_t f = 0; f < surface.triangles.size(); ++f) {
+    const Triangle& t = surface.triangles[f];
+    for (std::size_t k = 0; k < 3; ++k) sums[t[k]] += corner_angle(surface, t, k) * sides.normals[f];
   }
   for (DVec3& sum : sums) sum = unit(sum);
   std::vector<double> least(sums.size(), 1.0);
-  for (const Triangle& t : surface.triangles) {
-    const DVec3 normal = face_normal(surface, t);
-    for (const std::uint32_t v : t) least[v] = std::min(least[v], glm::dot(sums[v], normal));
+  for (std::size_t f = 0; f < surface.triangles.size(); ++f) {
+    for (const std::uint32_t v : surface.triangles[f]) {
+      least[v] = std::min(least[v], glm::dot(sums[v], sides.normals[f]));
+    }
   }
   std::vector<Vec3> directions(sums.size());
   for (std::size_t v = 0; v < sums.size(); ++v) directions[v] = mitred(sums[v], least[v]);
@@ -71,31 +65,6 @@ struct OpenSide {
   DVec3 outward{0.0};
 };
 
-/// One triangle's side; those of one edge are next to each other when sorted.
-struct Side {
-  std::uint32_t low = 0;
-  std::uint32_t high = 0;
-  std::uint32_t face = 0;
-  std::uint32_t from = 0;
-  bool operator<(const Side& other) const {
-    return std::tie(low, high, face) < std::tie(other.low, other.high, other.face);
-  }
-};
-
-std::vector<Side> sorted_sides(const WeldedMesh& surface) {
-  std::vector<Side> sides;
-  sides.reserve(3 * surface.triangles.size());
-  for (std::uint32_t f = 0; f < surface.triangles.size(); ++f) {
-    const Triangle& t = surface.triangles[f];
-    for (std::size_t k = 0; k < 3; ++k) {
-      const auto [low, high] = std::minmax(t[k], t[(k + 1) % 3]);
-      sides.push_back({low, high, f, t[k]});
-    }
-  }
-  std::ranges::sort(sides, std::less<>());
-  return sides;
-}
-
 /// Whether two triangles have one shading normal at a place that both have.
 bool is_round_at(const Mesh& mesh, const WeldedMesh& surface, std::uint32_t place, std::uint32_t a, std::uint32_t b) {
   constexpr float kJoined = 0.98F;  // cosine
@@ -109,24 +78,24 @@ bool is_round_at(const Mesh& mesh, const WeldedMesh& surface, std::uint32_t plac
 }
 
 /// Borders, and the edges that bend into hull.edges.
-std::vector<OpenSide> sort_edges(const Mesh& mesh, const WeldedMesh& surface, OutlineHull& hull) {
-  const std::vector<Side> sides = sorted_sides(surface);
+std::vector<OpenSide> sort_edges(const Mesh& mesh, const WeldedMesh& surface, const SurfaceSides& sides,
+                                 OutlineHull& hull) {
   std::vector<OpenSide> open;
-  for (std::size_t i = 0; i < sides.size(); ++i) {
-    const Side& side = sides[i];
-    const DVec3 normal = face_normal(surface, surface.triangles[side.face]);
-    if (i + 1 < sides.size() && sides[i + 1].low == side.low && sides[i + 1].high == side.high) {
-      const std::uint32_t neighbour = sides[++i].face;
-      const DVec3 other = face_normal(surface, surface.triangles[neighbour]);
-      auto angle = static_cast<float>(std::atan2(glm::length(glm::cross(normal, other)), glm::dot(normal, other)));
-      const auto is_round = [&](std::uint32_t end) { return is_round_at(mesh, surface, end, side.face, neighbour); };
-      if (is_round(side.low) && is_round(side.high)) angle *= 0.5F;
-      if (angle > OutlineHull::kFlat) hull.edges.push_back({side.low, side.high, angle});
+  for (std::uint32_t side = 0; side < sides.across.size(); ++side) {
+    const std::uint32_t face = side / 3;
+    const std::uint32_t from = surface.triangles[face][side % 3];
+    const std::uint32_t to = surface.triangles[face][(side % 3 + 1) % 3];
+    const std::uint32_t other = sides.across[side];
+    if (other == SurfaceSides::kNone) {
+      const DVec3 along = DVec3(surface.positions[to]) - DVec3(surface.positions[from]);
+      open.push_back({from, to, unit(glm::cross(along, sides.normals[face]))});
       continue;
     }
-    const std::uint32_t to = side.from == side.low ? side.high : side.low;
-    const DVec3 along = DVec3(surface.positions[to]) - DVec3(surface.positions[side.from]);
-    open.push_back({side.from, to, unit(glm::cross(along, normal))});
+    if (other < side) continue;  // seen from there
+    auto angle = static_cast<float>(std::abs(sides.turns[side]));
+    const auto is_round = [&](std::uint32_t end) { return is_round_at(mesh, surface, end, face, other / 3); };
+    if (is_round(from) && is_round(to)) angle *= 0.5F;
+    if (angle > OutlineHull::kFlat) hull.edges.push_back({from, to, angle});
   }
   return open;
 }
@@ -154,8 +123,8 @@ void join_creases(const std::vector<OpenSide>& borders, std::size_t places, std:
 }
 
 /// Adds the edges and the strip along open borders, joined where two sides meet.
-void add_border(const Mesh& mesh, const WeldedMesh& surface, OutlineHull& hull) {
-  const std::vector<OpenSide> sides = sort_edges(mesh, surface, hull);
+void add_border(const Mesh& mesh, const WeldedMesh& surface, const SurfaceSides& neighbours, OutlineHull& hull) {
+  const std::vector<OpenSide> sides = sort_edges(mesh, surface, neighbours, hull);
   join_creases(sides, surface.positions.size(), hull.edges);
   std::map<std::uint32_t, DVec3> outward;
   for (const OpenSide& side : sides) {
@@ -191,12 +160,13 @@ void add_border(const Mesh& mesh, const WeldedMesh& surface, OutlineHull& hull) 
 
 OutlineHull outline_hull(const Mesh& mesh) {
   const WeldedMesh surface = repair(mesh).surface;
+  const SurfaceSides sides = sides_of(surface);
   OutlineHull hull;
   hull.positions = surface.positions;
-  hull.directions = hull_directions(surface);
+  hull.directions = hull_directions(surface, sides);
   hull.widths = hull_widths(mesh, surface);
   hull.triangles = surface.triangles;
-  add_border(mesh, surface, hull);
+  add_border(mesh, surface, sides, hull);
   return hull;
 }
 

@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <optional>
 #include <set>
 #include <tuple>
 #include <utility>
 
 #include <glm/ext/vector_double3.hpp>
+
+#include "prep/disjoint_sets.h"
 
 namespace luminist {
 namespace {
@@ -214,28 +215,11 @@ class Orientation {
   std::vector<std::uint8_t> turned_;  ///< [faces] 0, 1 or kUnseen
 };
 
-/// Disjoint sets; the smaller index is the root, so that the result has no hidden order.
-class Sets {
- public:
-  explicit Sets(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), 0U); }
-  std::uint32_t find(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = find(a), b = find(b);
-    if (a != b) parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
-
 /// Corners become one position where their faces meet over sides that are theirs alone: a position for each fan.
 WeldedMesh fans_of(const Mesh& mesh, const std::vector<Face>& faces, std::size_t places, RepairReport& report) {
   const std::vector<Side> sides = sorted_sides(faces);
-  Sets corners(3 * faces.size());
-  Sets pieces(faces.size());
+  DisjointSets corners(3 * faces.size());
+  DisjointSets pieces(faces.size());
   for_edges(sides, [&](std::size_t first, std::size_t last) {
     const Side& a = sides[first];
     const std::size_t count = last - first;

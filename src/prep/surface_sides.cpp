@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <tuple>
 
 namespace luminist {
@@ -52,20 +51,6 @@ void measure(const WeldedMesh& surface, SurfaceSides& sides) {
 }
 
 }  // namespace
-
-DisjointSets::DisjointSets(std::size_t size) : parent_(size) {
-  std::iota(parent_.begin(), parent_.end(), 0U);
-}
-
-std::pair<std::vector<std::uint32_t>, std::uint32_t> DisjointSets::numbered() {
-  std::vector<std::uint32_t> number(parent_.size());
-  std::uint32_t count = 0;
-  for (std::uint32_t i = 0; i < number.size(); ++i) {
-    const std::uint32_t root = find(i);
-    number[i] = root == i ? count++ : number[root];  // a root is its set's smallest member
-  }
-  return {std::move(number), count};
-}
 
 SurfaceSides sides_of(const WeldedMesh& surface) {
   SurfaceSides sides;

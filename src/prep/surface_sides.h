@@ -3,7 +3,6 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -11,6 +10,7 @@
 #include <glm/ext/vector_double3.hpp>
 #include <glm/geometric.hpp>
 
+#include "prep/disjoint_sets.h"
 #include "prep/repair.h"
 
 namespace luminist {
@@ -34,27 +34,6 @@ SurfaceSides sides_of(const WeldedMesh& surface);
 /// The same with normals averaged over a neighbourhood of about `reach` of each surface's size (the root of its area),
 /// but not over edges, and with the turns between those: bumps of a scan do not look like shape. cost O(n reach^2).
 SurfaceSides smoothed(const SurfaceSides& sides, double reach);
-
-/// Disjoint sets of 0 .. size - 1; the smallest member stands for its set, so that results have no hidden order.
-class DisjointSets {
- public:
-  explicit DisjointSets(std::size_t size);
-  std::uint32_t find(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  /// Whether they were apart.
-  bool join(std::uint32_t a, std::uint32_t b) {
-    a = find(a), b = find(b);
-    if (a != b) parent_[a > b ? a : b] = a > b ? b : a;
-    return a != b;
-  }
-  /// Every member's set, numbered densely in order of appearance, and how many there are.
-  std::pair<std::vector<std::uint32_t>, std::uint32_t> numbered();
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
 
 /// Two unit vectors that complete n (unit) to a right-handed frame.
 struct TangentFrame {

@@ -40,7 +40,6 @@ Result<LinePasses> LinePasses::create(Device& device, const AssetRoots& roots, c
   const Vec3 ahead = -glm::normalize(Vec3(camera.world_from_camera[2]));
   // A camera within the scene may look away from its centre.
   passes.reference_depth_ = std::max(glm::dot(lines.frame.center - passes.eye_, ahead), kNearest * lines.frame.radius);
-  passes.aspect_ = static_cast<float>(width) / static_cast<float>(height);
   LUM_TRY(const SourceChunk hull, load_chunk(roots, "shaders/raster/outline.vert"));
   LUM_TRY(const SourceChunk edge, load_chunk(roots, "shaders/raster/crease.vert"));
   LUM_TRY(const SourceChunk fragment, load_chunk(roots, "shaders/raster/outline.frag"));
@@ -101,7 +100,6 @@ void LinePasses::draw_silhouettes(const Mat4& clip_from_world) {
 void LinePasses::draw_creases(const Mat4& clip_from_world) {
   crease_program_.use();
   crease_program_.set("clip_from_world", clip_from_world);
-  crease_program_.set("aspect", aspect_);
   crease_program_.set("pull", kPull);
   crease_program_.set("least_angle", lines_.spec.crease_angle);
   crease_program_.set("kind", kCrease);

@@ -52,7 +52,6 @@ class LinePasses {
   Vec3 eye_{0.0F};
   float reference_depth_ = 1.0F;  ///< of the scene's centre
   float pixel_angle_ = 0.0F;      ///< width of a pixel at distance 1
-  float aspect_ = 1.0F;
   int height_ = 0;
   Program silhouette_program_;
   Program crease_program_;
