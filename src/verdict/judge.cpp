@@ -26,15 +26,18 @@ Result<Verdict> judge(Renderer& renderer, const ParamState& state, const Target&
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
   Verdict verdict;
-  verdict.epsilon = picture_error(picture, target, renderer.style().metric);
-  LUM_TRY(Evidence evidence, Evidence::create(renderer, state, target, picture, options.new_light));
+  const StyleMetric& metric = renderer.style().metric;
+  const Target wanted = as_compared(target, metric);
+  const Image shown = as_compared(picture, metric);
+  verdict.epsilon = picture_error(picture, target, metric);
+  LUM_TRY(Evidence evidence, Evidence::create(renderer, state, wanted, shown, options.new_light));
   std::vector<StrokeCase> cases;
   std::vector<ParamState> starts;
   std::vector<int> unmet;
   std::vector<std::size_t> open;
   for (int r = 0; r < static_cast<int>(evidence.regions().size()); ++r) {
     if (evidence.regions()[static_cast<std::size_t>(r)].stroke == 0) continue;
-    cases.emplace_back(evidence, renderer.frame(), target, verdict.epsilon, r);
+    cases.emplace_back(evidence, renderer.frame(), wanted, verdict.epsilon, r);
     if (!cases.back().open()) continue;
     LUM_TRY_VOID(cases.back().try_alone());
     if (const ParamState* alone = cases.back().alone()) starts.push_back(*alone);
@@ -46,7 +49,7 @@ Result<Verdict> judge(Renderer& renderer, const ParamState& state, const Target&
   for (StrokeCase& each : cases) verdict.strokes.push_back(each.take());
   if (!unmet.empty()) {
     LUM_TRY(const AttainableColors* attainable, evidence.attainable());
-    if (attainable != nullptr) verdict.least_epsilon = attainable->least_error(target, {});
+    if (attainable != nullptr) verdict.least_epsilon = attainable->least_error(wanted, {});
     LUM_TRY(verdict.estimated_epsilon, evidence.estimated_epsilon(verdict.epsilon, unmet));
   }
   verdict.seconds = std::chrono::duration<double>(Clock::now() - start).count();

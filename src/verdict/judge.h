@@ -20,7 +20,8 @@ struct JudgeOptions {
 /// and lights added from many sides to say why. A stroke that nothing brings nearer, of which half came true, is met as
 /// near as light comes.
 ///
-/// Works through evaluate() and pictures alone. A style whose metric blurs is judged by the same points without blur.
+/// Works through evaluate() and pictures alone. Where a style's metric blurs, what is painted and what is shown are
+/// blurred first, and candidates show the mean of their dots and strokes.
 /// errors the renderer's. cost for each stroke that is not met a few hundred candidates several times over on 64 to
 /// some hundred samples, whatever the size of the picture; besides, once if any is not met, the pictures of
 /// AttainableColors. thread: the renderer's.

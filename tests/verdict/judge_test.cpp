@@ -1,5 +1,7 @@
 #include "verdict/judge.h"
 
+#include <numeric>
+
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
@@ -133,6 +135,31 @@ TEST_F(JudgeTest, StylesThatJoinTheirLightsAreJudgedWithoutACertificate) {
   EXPECT_EQ(verdict.strokes[0].cause, Cause::kLockedParameter);
   EXPECT_FALSE(verdict.strokes[0].least_missed);
   EXPECT_FALSE(verdict.least_epsilon);
+}
+
+TEST_F(JudgeTest, PaintWithoutDotsIsMetByDotsOfItsToneWhereTheMetricBlurs) {
+  FakeRenderer dotted(192, 144, FakeStyle::kDotted);
+  unlock("color");
+  target_ = dotted.target_of(state_, state_);
+  SampleSet all{1, std::vector<std::uint32_t>(target_.stroke.size())};
+  std::iota(all.pixels.begin(), all.pixels.end(), 0U);
+  std::vector<Vec3> tones(all.pixels.size());
+  const ParamState wanted = brighter();
+  const Candidate candidate{&wanted, Candidate::kAllLights};
+  ASSERT_TRUE(dotted.evaluate({&candidate, 1}, all, {}, tones));
+  for (std::size_t i = 0; i < target_.stroke.size(); ++i) {
+    target_.importance.data[i] = 0.02F;
+    if (dotted.surface().object[i] != 3) continue;
+    target_.stroke[i] = 1;
+    target_.importance.data[i] = 1.0F;
+    target_.color.set_rgb(i, tones[i]);
+  }
+  LUM_ASSERT_OK(const Verdict there, judge(dotted, wanted, target_, *dotted.render(wanted, {})));
+  ASSERT_EQ(there.strokes.size(), 1U);
+  EXPECT_EQ(there.strokes[0].outcome, StrokeOutcome::kMet);
+  LUM_ASSERT_OK(const Verdict short_of, judge(dotted, state_, target_, *dotted.render(state_, {})));
+  ASSERT_EQ(short_of.strokes.size(), 1U);
+  EXPECT_EQ(short_of.strokes[0].outcome, StrokeOutcome::kMissed);
 }
 
 TEST_F(JudgeTest, TheSameSolveGetsTheSameVerdict) {
