@@ -140,10 +140,12 @@ void fit_clip_planes(Scene& scene) {
   for (Camera& camera : scene.cameras) {
     const float farthest = glm::distance(camera.position(), box.center()) + box.radius();
     if (!(camera.near_plane > 0.0F)) {
+      camera.fitted_near = true;
       camera.near_plane = std::min(0.02F * radius, 0.1F * glm::distance(camera.position(), scene.frame().center));
       camera.near_plane = std::max(camera.near_plane, 1e-4F * radius);
     }
     if (!(camera.far_plane > camera.near_plane)) {
+      camera.fitted_far = true;
       camera.far_plane = std::max(1.05F * farthest, 2.0F * camera.near_plane);
     }
   }

@@ -13,6 +13,7 @@
 #include <glm/gtc/quaternion.hpp>
 
 #include "base/files.h"
+#include "scene/gltf_animation.h"
 #include "scene/gltf_document.h"
 #include "scene/gltf_materials.h"
 #include "scene/readers.h"
@@ -42,23 +43,10 @@ std::vector<std::array<std::uint32_t, 3>> triangles_of(const std::vector<std::ui
   return triangles;
 }
 
-/// A camera or light frame: the columns made unit and square, because such a thing cannot be scaled. One that already
-/// is so is kept to the bit.
-Mat4 without_scale(const Mat4& m) {
-  constexpr float kRounding = 1e-5F;
-  const Mat3 defect = glm::transpose(Mat3(m)) * Mat3(m) - Mat3(1.0F);
-  float largest = 0.0F;
-  for (int i = 0; i < 9; ++i) largest = std::max(largest, std::abs(defect[i / 3][i % 3]));
-  if (largest < kRounding && glm::determinant(Mat3(m)) > 0.0F) return m;
-  const Vec3 back = glm::normalize(Vec3(m[2]));
-  const Vec3 right = glm::normalize(glm::cross(Vec3(m[1]), back));
-  return {Vec4(right, 0.0F), Vec4(glm::cross(back, right), 0.0F), Vec4(back, 0.0F), m[3]};
-}
-
 class GltfReader {
  public:
   GltfReader(std::string path, const tinygltf::Model& model, Diagnostics& diagnostics)
-      : path_(std::move(path)), model_(&model), diagnostics_(&diagnostics), seen_(model.nodes.size()) {}
+      : path_(std::move(path)), model_(&model), diagnostics_(&diagnostics), place_of_(model.nodes.size(), -1) {}
 
   Result<Scene> read();
 
@@ -70,21 +58,21 @@ class GltfReader {
 
   Result<void> refuse_unknown_compression() const;
   [[nodiscard]] std::vector<int> roots() const;
-  Result<void> add_node(int index, const Mat4& world_from_parent, int depth);
-  Result<Mat4> local_matrix(int index) const;
-  Result<void> add_objects(const tinygltf::Node& node, const Mat4& world_from_node);
+  Result<void> add_node(int index, int parent, const Mat4& world_from_parent, int depth);
+  Result<Node> local_frame(int index) const;
+  Result<void> add_objects(const tinygltf::Node& node, int place, const Mat4& world_from_node);
   Result<int> mesh_index(int mesh, std::size_t primitive);
   Result<std::optional<Mesh>> read_primitive(const tinygltf::Primitive& primitive, const std::string& field);
   Result<void> read_attributes(const tinygltf::Primitive& primitive, const std::string& field, Mesh& mesh) const;
-  void add_camera(const tinygltf::Node& node, const Mat4& world_from_node);
-  void add_light(const tinygltf::Node& node, const Mat4& world_from_node);
+  void add_camera(const tinygltf::Node& node, int place, const Mat4& world_from_node);
+  void add_light(const tinygltf::Node& node, int place, const Mat4& world_from_node);
   int default_material();
 
   std::string path_;
   const tinygltf::Model* model_;
   Diagnostics* diagnostics_;
   Scene scene_;
-  std::vector<bool> seen_;
+  std::vector<int> place_of_;  ///< of each glTF node among the scene's; -1: not met yet
   std::map<std::pair<int, std::size_t>, int> mesh_of_primitive_;  ///< -1: nothing to show
   int default_material_ = -1;
 };
@@ -117,46 +105,56 @@ std::vector<int> GltfReader::roots() const {
   return result;
 }
 
-Result<Mat4> GltfReader::local_matrix(int index) const {
-  const tinygltf::Node& node = model_->nodes[static_cast<std::size_t>(index)];
+Result<Node> GltfReader::local_frame(int index) const {
+  const tinygltf::Node& from = model_->nodes[static_cast<std::size_t>(index)];
   const auto has_size = [](const std::vector<double>& v, std::size_t size) { return v.empty() || v.size() == size; };
-  if (!has_size(node.matrix, 16) || !has_size(node.translation, 3) || !has_size(node.rotation, 4) ||
-      !has_size(node.scale, 3)) {
+  if (!has_size(from.matrix, 16) || !has_size(from.translation, 3) || !has_size(from.rotation, 4) ||
+      !has_size(from.scale, 3)) {
     return bad("a transform has a wrong number of values", fmt::format("nodes[{}]", index));
   }
-  glm::dmat4 m(1.0);
-  if (!node.matrix.empty()) {
-    for (int i = 0; i < 16; ++i) m[i / 4][i % 4] = node.matrix[static_cast<std::size_t>(i)];
-  } else {
-    if (!node.rotation.empty()) {
-      const glm::dquat q(node.rotation[3], node.rotation[0], node.rotation[1], node.rotation[2]);
-      if (glm::length(q) > 0.0) m = glm::mat4_cast(glm::normalize(q));
-    }
-    for (int i = 0; i < 3 && !node.scale.empty(); ++i) m[i] *= node.scale[static_cast<std::size_t>(i)];
-    for (int i = 0; i < 3 && !node.translation.empty(); ++i) m[3][i] = node.translation[static_cast<std::size_t>(i)];
+  Node node;
+  if (!from.matrix.empty()) {
+    glm::dmat4 m(1.0);
+    for (int i = 0; i < 16; ++i) m[i / 4][i % 4] = from.matrix[static_cast<std::size_t>(i)];
+    node.matrix = Mat4(m);
+    return node;
   }
-  return Mat4(m);
+  if (!from.rotation.empty()) {
+    const glm::dquat q(from.rotation[3], from.rotation[0], from.rotation[1], from.rotation[2]);
+    if (glm::length(q) > 0.0) node.rotation = glm::quat(glm::normalize(q));
+  }
+  for (int i = 0; i < 3 && !from.scale.empty(); ++i) {
+    node.scale[i] = static_cast<float>(from.scale[static_cast<std::size_t>(i)]);
+  }
+  for (int i = 0; i < 3 && !from.translation.empty(); ++i) {
+    node.translation[i] = static_cast<float>(from.translation[static_cast<std::size_t>(i)]);
+  }
+  return node;
 }
 
-Result<void> GltfReader::add_node(int index, const Mat4& world_from_parent, int depth) {
+Result<void> GltfReader::add_node(int index, int parent, const Mat4& world_from_parent, int depth) {
   const std::string field = fmt::format("nodes[{}]", index);
   if (!inside(index, model_->nodes.size())) return bad("there is no such node", field);
   if (depth > kDeepestNode) return bad(fmt::format("nodes nest deeper than {} levels", kDeepestNode), field);
-  if (seen_[static_cast<std::size_t>(index)]) return bad("a node has two parents or is its own ancestor", field);
-  seen_[static_cast<std::size_t>(index)] = true;
-  LUM_TRY(const Mat4 local, local_matrix(index));
-  const Mat4 world = world_from_parent * local;
+  int& place = place_of_[static_cast<std::size_t>(index)];
+  if (place >= 0) return bad("a node has two parents or is its own ancestor", field);
+  LUM_TRY(Node frame, local_frame(index));
+  const Mat4 world = world_from_parent * local_matrix(frame);
   const float volume = std::abs(glm::determinant(Mat3(world)));
   if (!std::isfinite(volume) || !is_finite(Vec3(world[3]))) return bad("the transform is not finite", field);
+  const int here = place = static_cast<int>(scene_.animation.nodes.size());
+  frame.parent = parent;
+  frame.name = model_->nodes[static_cast<std::size_t>(index)].name;
+  scene_.animation.nodes.push_back(frame);
   const tinygltf::Node& node = model_->nodes[static_cast<std::size_t>(index)];
   if (volume > 0.0F) {
-    if (node.mesh >= 0) LUM_TRY_VOID(add_objects(node, world));
-    if (node.camera >= 0) add_camera(node, world);
-    add_light(node, world);
+    if (node.mesh >= 0) LUM_TRY_VOID(add_objects(node, here, world));
+    if (node.camera >= 0) add_camera(node, here, world);
+    add_light(node, here, world);
   } else {
     warn(fmt::format("{} is scaled to nothing and is left out", field));
   }
-  for (const int child : node.children) LUM_TRY_VOID(add_node(child, world, depth + 1));
+  for (const int child : node.children) LUM_TRY_VOID(add_node(child, here, world, depth + 1));
   return {};
 }
 
@@ -168,7 +166,7 @@ int GltfReader::default_material() {
   return default_material_;
 }
 
-Result<void> GltfReader::add_objects(const tinygltf::Node& node, const Mat4& world_from_node) {
+Result<void> GltfReader::add_objects(const tinygltf::Node& node, int place, const Mat4& world_from_node) {
   if (!inside(node.mesh, model_->meshes.size()))
     return bad("there is no such mesh", fmt::format("meshes[{}]", node.mesh));
   const tinygltf::Mesh& mesh = model_->meshes[static_cast<std::size_t>(node.mesh)];
@@ -181,6 +179,7 @@ Result<void> GltfReader::add_objects(const tinygltf::Node& node, const Mat4& wor
     const int material = mesh.primitives[i].material;
     object.material = inside(material, model_->materials.size()) ? material : default_material();
     object.world_from_object = world_from_node;
+    object.mount.node = place;
     object.backdrop =
         node.extras.Has("backdrop") && node.extras.Get("backdrop").IsBool() && node.extras.Get("backdrop").Get<bool>();
     scene_.objects.push_back(std::move(object));
@@ -273,7 +272,7 @@ Result<void> GltfReader::read_attributes(const tinygltf::Primitive& primitive, c
   return {};
 }
 
-void GltfReader::add_camera(const tinygltf::Node& node, const Mat4& world_from_node) {
+void GltfReader::add_camera(const tinygltf::Node& node, int place, const Mat4& world_from_node) {
   if (!inside(node.camera, model_->cameras.size())) return warn(fmt::format("there is no camera {}", node.camera));
   const tinygltf::Camera& from = model_->cameras[static_cast<std::size_t>(node.camera)];
   const bool sound = from.perspective.yfov > 0.0 && from.perspective.yfov < kPi;
@@ -287,13 +286,14 @@ void GltfReader::add_camera(const tinygltf::Node& node, const Mat4& world_from_n
     camera.name = fmt::format("{}-{}", node.name.empty() ? "camera" : node.name, n);
   }
   camera.world_from_camera = without_scale(world_from_node);
+  camera.mount.node = place;
   camera.fov_y = static_cast<float>(from.perspective.yfov);
   camera.near_plane = static_cast<float>(std::max(from.perspective.znear, 0.0));
   camera.far_plane = static_cast<float>(std::max(from.perspective.zfar, 0.0));
   scene_.cameras.push_back(std::move(camera));
 }
 
-void GltfReader::add_light(const tinygltf::Node& node, const Mat4& world_from_node) {
+void GltfReader::add_light(const tinygltf::Node& node, int place, const Mat4& world_from_node) {
   const auto extension = node.extensions.find("KHR_lights_punctual");
   if (extension == node.extensions.end() || !extension->second.Has("light")) return;
   const tinygltf::Value& reference = extension->second.Get("light");
@@ -316,13 +316,15 @@ void GltfReader::add_light(const tinygltf::Node& node, const Mat4& world_from_no
   const Mat4 frame = without_scale(world_from_node);
   light.position = Vec3(frame[3]);
   light.direction = -Vec3(frame[2]);
+  light.mount.node = place;
   scene_.lights.push_back(std::move(light));
 }
 
 Result<Scene> GltfReader::read() {
   LUM_TRY_VOID(refuse_unknown_compression());
   LUM_TRY_VOID(add_gltf_materials(*model_, path_, scene_, *diagnostics_));
-  for (const int root : roots()) LUM_TRY_VOID(add_node(root, Mat4(1.0F), 1));
+  for (const int root : roots()) LUM_TRY_VOID(add_node(root, -1, Mat4(1.0F), 1));
+  LUM_TRY(scene_.animation.tracks, gltf_tracks(*model_, place_of_, path_, *diagnostics_));
   return std::move(scene_);
 }
 

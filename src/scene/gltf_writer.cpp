@@ -25,7 +25,7 @@ class GltfWriter {
 
  private:
   template <class Vector>
-  int add_vectors(const std::vector<Vector>& values, int type);
+  int add_vectors(const std::vector<Vector>& values, int type, int target = TINYGLTF_TARGET_ARRAY_BUFFER);
   int add_view(const void* bytes, std::size_t size, int target);
   Result<void> add_textures();
   void add_materials();
@@ -33,7 +33,10 @@ class GltfWriter {
   void add_objects();
   void add_cameras();
   void add_lights();
-  int add_node(const std::string& name, const Mat4& world_from_node);
+  /// A thing's own node, in the world or under the one it hangs from.
+  int add_node(const std::string& name, const Mat4& world_from_node, const Mount& mount);
+  void add_moving_nodes();
+  void add_tracks();
 
   /// The accessors of one mesh, shared by the glTF meshes that show it in different materials.
   struct Accessors {
@@ -62,9 +65,9 @@ int GltfWriter::add_view(const void* bytes, std::size_t size, int target) {
 }
 
 template <class Vector>
-int GltfWriter::add_vectors(const std::vector<Vector>& values, int type) {
+int GltfWriter::add_vectors(const std::vector<Vector>& values, int type, int target) {
   tinygltf::Accessor accessor;
-  accessor.bufferView = add_view(values.data(), values.size() * sizeof(Vector), TINYGLTF_TARGET_ARRAY_BUFFER);
+  accessor.bufferView = add_view(values.data(), values.size() * sizeof(Vector), target);
   accessor.componentType = TINYGLTF_COMPONENT_TYPE_FLOAT;
   accessor.type = type;
   accessor.count = values.size();
@@ -168,21 +171,78 @@ int GltfWriter::mesh_index(int mesh, int material) {
   return entry->second;
 }
 
-int GltfWriter::add_node(const std::string& name, const Mat4& world_from_node) {
+int GltfWriter::add_node(const std::string& name, const Mat4& world_from_node, const Mount& mount) {
+  const Mat4& matrix = mount.node >= 0 ? mount.node_from_thing : world_from_node;
   tinygltf::Node node;
   node.name = name;
-  if (world_from_node != Mat4(1.0F)) {
-    for (int i = 0; i < 16; ++i) node.matrix.push_back(world_from_node[i / 4][i % 4]);
+  if (matrix != Mat4(1.0F)) {
+    for (int i = 0; i < 16; ++i) node.matrix.push_back(matrix[i / 4][i % 4]);
   }
+  const auto index = static_cast<int>(model_.nodes.size());
   model_.nodes.push_back(std::move(node));
-  model_.scenes[0].nodes.push_back(static_cast<int>(model_.nodes.size()) - 1);
-  return static_cast<int>(model_.nodes.size()) - 1;
+  if (mount.node >= 0) {
+    model_.nodes[static_cast<std::size_t>(mount.node)].children.push_back(index);
+  } else {
+    model_.scenes[0].nodes.push_back(index);
+  }
+  return index;
+}
+
+/// First of all nodes, so that a mount's node is its index in the file.
+void GltfWriter::add_moving_nodes() {
+  for (const Node& from : scene_->animation.nodes) {
+    tinygltf::Node node;
+    node.name = from.name;
+    if (from.matrix) {
+      for (int i = 0; i < 16; ++i) node.matrix.push_back((*from.matrix)[i / 4][i % 4]);
+    } else {
+      node.translation = {from.translation.x, from.translation.y, from.translation.z};
+      node.rotation = {from.rotation.x, from.rotation.y, from.rotation.z, from.rotation.w};
+      node.scale = {from.scale.x, from.scale.y, from.scale.z};
+    }
+    const auto index = static_cast<int>(model_.nodes.size());
+    model_.nodes.push_back(std::move(node));
+    if (from.parent >= 0) {
+      model_.nodes[static_cast<std::size_t>(from.parent)].children.push_back(index);
+    } else {
+      model_.scenes[0].nodes.push_back(index);
+    }
+  }
+}
+
+void GltfWriter::add_tracks() {
+  if (scene_->animation.empty()) return;
+  tinygltf::Animation animation;
+  for (const Track& track : scene_->animation.tracks) {
+    tinygltf::AnimationSampler sampler;
+    sampler.interpolation = track.interpolation == Track::Interpolation::kStep     ? "STEP"
+                            : track.interpolation == Track::Interpolation::kLinear ? "LINEAR"
+                                                                                   : "CUBICSPLINE";
+    sampler.input = add_vectors(track.times, TINYGLTF_TYPE_SCALAR, 0);
+    model_.accessors.back().minValues = {track.times.front()};
+    model_.accessors.back().maxValues = {track.times.back()};
+    if (track.property == Track::Property::kRotation) {
+      sampler.output = add_vectors(track.values, TINYGLTF_TYPE_VEC4, 0);
+    } else {
+      sampler.output = add_vectors(std::vector<Vec3>(track.values.begin(), track.values.end()), TINYGLTF_TYPE_VEC3, 0);
+    }
+    tinygltf::AnimationChannel channel;
+    channel.sampler = static_cast<int>(animation.samplers.size());
+    channel.target_node = track.node;
+    channel.target_path = track.property == Track::Property::kTranslation ? "translation"
+                          : track.property == Track::Property::kRotation  ? "rotation"
+                                                                          : "scale";
+    animation.samplers.push_back(std::move(sampler));
+    animation.channels.push_back(std::move(channel));
+  }
+  model_.animations.push_back(std::move(animation));
 }
 
 void GltfWriter::add_objects() {
   for (const Object& object : scene_->objects) {
     const int mesh = mesh_index(object.mesh, object.material);
-    tinygltf::Node& node = model_.nodes[static_cast<std::size_t>(add_node(object.name, object.world_from_object))];
+    tinygltf::Node& node =
+        model_.nodes[static_cast<std::size_t>(add_node(object.name, object.world_from_object, object.mount))];
     node.mesh = mesh;
     if (object.backdrop) node.extras = tinygltf::Value(tinygltf::Value::Object{{"backdrop", tinygltf::Value(true)}});
   }
@@ -197,7 +257,7 @@ void GltfWriter::add_cameras() {
     camera.perspective.znear = from.near_plane;
     camera.perspective.zfar = from.far_plane;
     model_.cameras.push_back(std::move(camera));
-    model_.nodes[static_cast<std::size_t>(add_node(from.name, from.world_from_camera))].camera =
+    model_.nodes[static_cast<std::size_t>(add_node(from.name, from.world_from_camera, from.mount))].camera =
         static_cast<int>(model_.cameras.size()) - 1;
   }
 }
@@ -215,10 +275,8 @@ void GltfWriter::add_lights() {
     light.spot.innerConeAngle = from.inner_angle;
     light.spot.outerConeAngle = from.outer_angle;
     model_.lights.push_back(std::move(light));
-    Vec3 x, y;
-    tangent_frame(-from.direction, x, y);
-    const Mat4 world(Vec4(x, 0.0F), Vec4(y, 0.0F), Vec4(-from.direction, 0.0F), Vec4(from.position, 1.0F));
-    tinygltf::Node& node = model_.nodes[static_cast<std::size_t>(add_node(from.name, world))];
+    const int place = add_node(from.name, from.world_from_light(), from.mount);
+    tinygltf::Node& node = model_.nodes[static_cast<std::size_t>(place)];
     const auto index = static_cast<int>(model_.lights.size()) - 1;
     node.extensions["KHR_lights_punctual"] =
         tinygltf::Value(tinygltf::Value::Object{{"light", tinygltf::Value(index)}});
@@ -233,9 +291,11 @@ Result<std::string> GltfWriter::write() {
   model_.defaultScene = 0;
   LUM_TRY_VOID(add_textures());
   add_materials();
+  add_moving_nodes();
   add_objects();
   add_cameras();
   add_lights();
+  add_tracks();
   if (model_.buffers[0].data.empty()) model_.buffers.clear();
   std::ostringstream stream(std::ios::binary);
   tinygltf::TinyGLTF writer;

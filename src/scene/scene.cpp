@@ -22,12 +22,19 @@ Mat4 Camera::clip_from_world(float aspect) const {
   return glm::perspectiveRH_ZO(fov_y, aspect, near_plane, far_plane) * glm::inverse(world_from_camera);
 }
 
+Mat4 PunctualLight::world_from_light() const {
+  Vec3 x, y;
+  tangent_frame(-direction, x, y);
+  return {Vec4(x, 0.0F), Vec4(y, 0.0F), Vec4(-direction, 0.0F), Vec4(position, 1.0F)};
+}
+
 Box Scene::bounds(bool with_backdrop) const {
   const Box box = bounds_of(*this, with_backdrop, true);
   return box.empty() ? bounds_of(*this, true, false) : box;
 }
 
 SceneFrame Scene::frame() const {
+  if (rest_frame) return *rest_frame;
   const Box box = bounds();
   if (box.empty()) return {};
   const float radius = box.radius();

@@ -7,6 +7,7 @@
 #include "base/diagnostics.h"
 #include "base/math.h"
 #include "base/result.h"
+#include "scene/animation.h"
 #include "scene/material.h"
 #include "scene/mesh.h"
 
@@ -19,6 +20,7 @@ struct Object {
   int material = 0;
   Mat4 world_from_object{1.0F};
   bool backdrop = false;  ///< an added floor or wall: not part of the scene's frame
+  Mount mount = {};
 };
 
 /// A pinhole looking along -Z of its own frame, Y up.
@@ -28,6 +30,9 @@ struct Camera {
   float fov_y = 0.7F;  ///< radians
   float near_plane = 0.01F;
   float far_plane = 1000.0F;
+  bool fitted_near = false;  ///< fit_clip_planes() has chosen it
+  bool fitted_far = false;
+  Mount mount = {};
 
   [[nodiscard]] Vec3 position() const { return Vec3(world_from_camera[3]); }
   /// Clip space with depth in [0,1].
@@ -46,6 +51,9 @@ struct PunctualLight {
   float outer_angle = 0.785F;  ///< radians, half angle
   Vec3 position{0.0F};
   Vec3 direction{0.0F, 0.0F, -1.0F};
+  Mount mount = {};
+
+  [[nodiscard]] Mat4 world_from_light() const;  ///< it shines along -Z
 };
 
 struct Scene {
@@ -55,6 +63,8 @@ struct Scene {
   std::vector<Object> objects;
   std::vector<Camera> cameras;  ///< at least one after load_scene()
   std::vector<PunctualLight> lights;
+  Animation animation;
+  std::optional<SceneFrame> rest_frame;  ///< of a scene that was posed
 
   /// World bounds of the objects; without backdrops unless asked, or unless there is nothing else.
   [[nodiscard]] Box bounds(bool with_backdrop = false) const;

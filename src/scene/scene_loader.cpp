@@ -139,6 +139,7 @@ Result<Scene> load_scene(const std::string& path, const SceneOptions& options, D
   if (scene.cameras.empty()) scene.cameras.push_back(automatic_camera(scene));
   add_backdrops(scene, options);
   make_names_unique(scene);
+  hang(scene);
   fit_clip_planes(scene);
   return scene;
 }
