@@ -45,6 +45,7 @@ std::vector<DeclaredVerb> declare_verbs(CLI::App& app) {
                              Entry{"replay", "Runs an action script, or a recorded project", declare_replay},
                              Entry{"golden", "Compares a style's golden pictures with new ones", declare_golden},
                              Entry{"prep", "Repairs meshes and says what was wrong with them", declare_prep},
+                             Entry{"farm", "Writes a sequence as a job for a render farm", declare_farm},
                              Entry{"doc", "Prints the parameters of all lights and styles", declare_doc},
                              Entry{"info", "Prints what the machine and this build offer", declare_info}}) {
     CLI::App* sub = app.add_subcommand(entry.name, entry.doc);

@@ -7,6 +7,7 @@
 #include "cli/shot_words.h"
 #include "image_io/image_io.h"
 #include "studio/constraint_words.h"
+#include "studio/sequence.h"
 #include "studio/stage.h"
 #include "studio/style_reload.h"
 
@@ -17,6 +18,9 @@ struct Words {
   ShotWords shot;
   std::string output;
   bool watch = false;
+  std::string frames;
+  std::string film;
+  bool again = false;
 };
 
 /// Renders again whenever a file of the style is written, until a signal ends it; a version with a mistake is reported,
@@ -43,9 +47,33 @@ int watch(const Words& words, Stage& stage, ParamState state, StyleFiles files, 
   return 0;
 }
 
+/// Frame after frame; what is there already, whole and of the same lights, is left as it is.
+Result<int> render_frames(const Words& words, const Shot& shot, VerbContext& context) {
+  LUM_TRY(const FrameRange range, FrameRange::parse(words.frames));
+  const Sequence sequence{shot, range.frames(), words.output, words.shot.constrain, words.again};
+  LUM_TRY(Device device, Device::create_headless());
+  const StopSignals::Grace grace(context.signals);
+  Diagnostics diagnostics;
+  std::vector<std::string> files;
+  const auto watch = [&](const FrameDone& done) {
+    files.push_back(done.path);
+    context.console.result(done.skipped ? done.path + " (was there)" : done.path);
+    return context.signals.stopped() == 0;
+  };
+  const auto rendered = render_sequence(device, context.roots, sequence, watch, diagnostics);
+  context.console.warn(diagnostics);
+  if (!rendered) return rendered.error();
+  if (context.signals.stopped() != 0) return 128 + context.signals.stopped();
+  if (words.film.empty()) return 0;
+  LUM_TRY_VOID(make_film(files, shot.fps, words.film));
+  context.console.result(words.film);
+  return 0;
+}
+
 Result<int> render(const Words& words, VerbContext& context) {
   LUM_TRY(const Shot shot, shot_from(words.shot));
   LUM_TRY_VOID(check_image_output(words.output));
+  if (!words.frames.empty()) return render_frames(words, shot, context);
   LUM_TRY(Device device, Device::create_headless());
   Diagnostics diagnostics;
   auto stage = open_stage(device, context.roots, shot, ".", diagnostics);
@@ -73,10 +101,16 @@ Verb declare_render(CLI::App& app) {
   declare_shot(app, words->shot);
   app.add_option("-o,--output", words->output, "Picture: .exr (linear) or .png")->required();
   app.add_flag("--watch", words->watch, "Renders again whenever the style's files are written, until Ctrl-C");
+  CLI::Option* frames = app.add_option("--frames", words->frames,
+                                       "A sequence, as 0-47 or 0-47x2; -o has the number for #### before its "
+                                       "ending. Frames that are there, whole and from the same input, stay");
+  app.add_option("--film", words->film, "A film of the frames, .mp4, by ffmpeg")->needs(frames);
+  app.add_flag("--again", words->again, "Renders frames also where they are there")->needs(frames);
   app.footer(
       "Examples:\n"
       "  luminist render meshes/still_life/still_life.glb -o dim.png\n"
-      "  luminist render model.obj --floor --wall --style toon --set style/threshold=0.4 --size 1280x720 -o model.exr");
+      "  luminist render model.obj --floor --wall --style toon --set style/threshold=0.4 --size 1280x720 -o model.exr\n"
+      "  luminist render meshes/creature/creature.glb --rig keyed.toml --frames 0-47 -o out/f.####.exr --film f.mp4");
   return [words](VerbContext& context) { return render(*words, context); };
 }
 

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "cli/task_words.h"
 #include "studio/constraint_words.h"
 
 namespace luminist {
@@ -54,6 +55,9 @@ void declare_shot(CLI::App& app, ShotWords& words) {
   app.add_option("--constrain", words.constrain, std::string("Holds from now on; may be repeated. ") + kConstraintForms)
       ->allow_extra_args(false)
       ->type_name("RULE");
+  app.add_option("--frame", words.shot.frame,
+                 "Where the scene's animation and the rig's keys are looked at (default: 0)");
+  require_above_zero(*app.add_option("--fps", words.shot.fps, "Frames a second (default: 24)"));
   app.add_flag("--floor", words.shot.scene_options.floor, "Puts a floor under the scene");
   app.add_flag("--wall", words.shot.scene_options.wall, "Puts a wall behind the scene");
 }

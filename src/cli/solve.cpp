@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "cli/solve_shared.h"
 #include "cli/solve_styles.h"
 #include "cli/solve_words.h"
 #include "studio/results.h"
@@ -11,7 +12,28 @@
 namespace luminist {
 namespace {
 
+/// Keys for every parameter of a light that the solver may turn, at the session's frame.
+Result<void> key_free_params(Session& session) {
+  const ParamState state = session.state();
+  const std::vector<const ParamBlock*> blocks = state.blocks();
+  const std::vector<std::string> paths = state.block_paths();
+  for (std::size_t b = 0; b <= state.rig.lights.size(); ++b) {
+    for (const ParamSpec& spec : blocks[b]->schema().specs()) {
+      bool free = false;
+      for (int dof = 0; dof < spec.dofs(); ++dof) free = free || !blocks[b]->locked(spec.first_dof + dof);
+      if (free) LUM_TRY_VOID(session.set_keys(paths[b] + "/" + spec.name, KeyInterpolation::kSmooth));
+    }
+  }
+  return {};
+}
+
 Result<int> solve(const SolveWords& words, VerbContext& context) {
+  if (!words.views.empty()) {
+    if (several_styles(words)) {
+      return Error{ErrorKind::kUsage, "several views have one style", "", "--style", "name one style"};
+    }
+    return solve_views(words, context);
+  }
   LUM_TRY_VOID(check_paint_words(words.paint));
   if (several_styles(words)) return solve_styles(words, context);
   if (words.together) {
@@ -24,6 +46,7 @@ Result<int> solve(const SolveWords& words, VerbContext& context) {
   Diagnostics diagnostics;
   LUM_TRY(const auto session,
           open_task(device, shot, &words.paint, words.shot.constrain, words.locks, context, diagnostics));
+  if (words.keys) LUM_TRY_VOID(key_free_params(*session));
   const StopSignals::Grace grace(context.signals);
   LUM_TRY_VOID(solve_into(*session, words, words.output, context));
   const Solved& solved = *session->solved();
@@ -62,6 +85,15 @@ Verb declare_solve(CLI::App& app) {
       "--together", words->together,
       "Of several styles: one rig for all of them, instead of one for each. Each style keeps parameters of its "
       "own, and their errors are averaged");
+  app.add_option("--view", words->views,
+                 "Another picture that the same rig has to make, with paint of its own; may be repeated: "
+                 "camera=C,frame=F,paint=STROKES,weight=W. Each has a folder view_1, view_2...")
+      ->allow_extra_args(false)
+      ->type_name("WORDS");
+  app.add_flag(
+      "--key", words->keys,
+      "What the solver turned becomes keys at --frame in the rig that is written, and stays as it was at other "
+      "frames with keys");
   app.add_flag("--json", words->json, "Prints one object");
   app.footer(
       "Examples:\n"
@@ -71,6 +103,8 @@ Verb declare_solve(CLI::App& app) {
       "  luminist solve scene.glb --rig rig.toml --paint strokes.json --constrain 'lights/key on ceiling' "
       "--constrain 'lights/rim same color as lights/key times 0.5' -o out4\n"
       "  luminist solve scene.glb --rig rig.toml --paint strokes.json --style toon,ramp,cinematic --together -o out5\n"
+      "  luminist solve scene.glb --rig rig.toml --frame 12 --paint f12.json --unlock lights/key --key -o keyed\n"
+      "  luminist solve scene.glb --rig rig.toml --view frame=4,paint=f4.json --view frame=8,paint=f8.json -o out6\n"
       "  luminist solve scene.glb --rig rig.toml --target wanted.exr --until 0.01 --seconds 60 --json -o out3");
   return [words, &app](VerbContext& context) {
     note_lock_order(app, words->locks);

@@ -6,15 +6,13 @@
 
 #include <fmt/format.h>
 
-#include "params/param_text.h"
+#include "cli/solve_shared.h"
 #include "studio/results.h"
-#include "studio/shared_solve.h"
 
 namespace luminist {
 namespace {
 
 using Json = nlohmann::json;
-using Sessions = std::vector<std::unique_ptr<Session>>;
 
 std::vector<std::string> style_words(const std::string& text) {
   std::vector<std::string> words;
@@ -89,80 +87,22 @@ Result<int> solve_each(const SolveWords& words, const std::vector<Style>& styles
 }
 
 /// Sessions on the same shot in all styles. Lights are added in the first one, whose rig is everyone's.
-Result<Sessions> open_all(const SolveWords& words, const std::vector<Style>& styles, Device& device,
-                          VerbContext& context, Diagnostics& diagnostics) {
-  Sessions sessions;
+Result<int> solve_together(const SolveWords& words, const std::vector<Style>& styles, Device& device,
+                           VerbContext& context) {
+  Diagnostics diagnostics;
+  std::vector<SharedView> views;
   for (const Style& style : styles) {
     SolveWords own = words_for(words, style, styles);
-    if (!sessions.empty()) {
+    if (!views.empty()) {
       // Words about lights that only the first session has: their locks come with its rig.
       own.paint.new_lights = 0;
       own.shot.constrain.clear();
       std::erase_if(own.locks.ordered, [](const auto& lock) { return lock.first.rfind("style/", 0) != 0; });
     }
     LUM_TRY(auto session, open_style(device, own, context, diagnostics));
-    sessions.push_back(std::move(session));
+    views.push_back({style.name, std::move(session)});
   }
-  return sessions;
-}
-
-Result<void> write_shared(const SharedSolve& solve, const Sessions& sessions, const SolveWords& words) {
-  LUM_TRY_VOID(write_file_atomic(std::filesystem::path(words.output) / "rig.toml", rig_to_toml(solve.rig())));
-  LUM_TRY_VOID(
-      write_file_atomic(std::filesystem::path(words.output) / "convergence.jsonl", convergence_lines(solve.report())));
-  for (std::size_t k = 0; k < sessions.size(); ++k) {
-    LUM_TRY(const Target* target, sessions[k]->target());
-    LUM_TRY(const Results results, collect_results(*sessions[k], solve.state(k), *target, std::nullopt));
-    LUM_TRY_VOID(write_results(results, folder_of(words, sessions[k]->stage().style.name)));
-  }
-  return {};
-}
-
-Result<void> print_shared(SharedSolve& solve, const Sessions& sessions, Console& console) {
-  Json json = solve_to_json(solve.report(), solve.state(0));
-  json.erase("style");
-  if (!console.json()) {
-    console.result(report_line(solve.report()));
-    print_free_values(console, solve.state(0), true);
-  }
-  for (std::size_t k = 0; k < sessions.size(); ++k) {
-    const std::string& name = sessions[k]->stage().style.name;
-    LUM_TRY(const SharedSolve::Errors errors, solve.errors(k));
-    json["styles"][name] = {
-        {"epsilon_start", errors.start}, {"epsilon", errors.found}, {"style", block_to_json(solve.state(k).style)}};
-    if (console.json()) continue;
-    console.result(fmt::format("{}: error {:.5f}, was {:.5f}", name, errors.found, errors.start));
-    ParamState style_only = solve.state(k);
-    style_only.rig.lights.clear();
-    style_only.rig.ambient.set_param_locked(-1, true);
-    print_free_values(console, style_only, false);
-  }
-  if (console.json()) console.result(json.dump());
-  return {};
-}
-
-Result<int> solve_together(const SolveWords& words, const std::vector<Style>& styles, Device& device,
-                           VerbContext& context) {
-  Diagnostics diagnostics;
-  LUM_TRY(const Sessions sessions, open_all(words, styles, device, context, diagnostics));
-  std::vector<Session*> all;
-  for (const auto& session : sessions) all.push_back(session.get());
-  LUM_TRY(SharedSolve solve, SharedSolve::create(all, words.options));
-  const StopSignals::Grace grace(context.signals);
-  const Deadline deadline(context.signals, words.seconds);
-  for (bool more = true; more;) {
-    LUM_TRY(more, solve.run_for(std::chrono::milliseconds(50)));
-    context.console.progress(solve.report());
-    if (more && !deadline.go_on()) {
-      solve.stop();
-      more = false;
-    }
-  }
-  LUM_TRY_VOID(write_shared(solve, sessions, words));
-  LUM_TRY_VOID(print_shared(solve, sessions, context.console));
-  if (!context.console.json()) context.console.result(words.output);
-  if (context.signals.stopped() != 0) return 128 + context.signals.stopped();
-  return words.until && solve.report().epsilon > *words.until ? 1 : 0;
+  return solve_shared(views, "styles", words, context);
 }
 
 }  // namespace

@@ -18,6 +18,8 @@ struct SolveWords {
   std::optional<double> until;
   std::string output;
   bool together = false;
+  std::vector<std::string> views;  ///< as typed; of solve_views()
+  bool keys = false;               ///< what was solved becomes keys at the shot's frame
   bool json = false;
 };
 

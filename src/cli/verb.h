@@ -31,6 +31,7 @@ Verb declare_diet(CLI::App& app);
 Verb declare_replay(CLI::App& app);
 Verb declare_golden(CLI::App& app);
 Verb declare_prep(CLI::App& app);
+Verb declare_farm(CLI::App& app);
 Verb declare_doc(CLI::App& app);
 Verb declare_info(CLI::App& app);
 

@@ -265,6 +265,26 @@ Result<Image> read_image(const std::string& path, Encoding encoding) {
   return std::move(read_images({&source, 1}).front());
 }
 
+Result<StoredAttribute> read_attribute(const std::string& path, const std::string& name) {
+  LUM_TRY(const std::string file, read_file(path));
+  Question question;
+  question.text = path, question.data = file;
+  LUM_TRY(const Dialogue dialogue, ask(kDecodeVerb, {&question, 1}));
+  if (dialogue.answers.empty()) return helper_died(dialogue.end, path);
+  const Answer& answer = dialogue.answers.front();
+  LUM_TRY(const Image image, image_from(answer, {path, {}, Encoding::kLinear}));
+  StoredAttribute stored{"", image.width, image.height};
+  for (std::size_t at = 0; at < answer.text.size();) {
+    const std::size_t middle = std::min(answer.text.find('\0', at), answer.text.size());
+    const std::size_t end = std::min(answer.text.find('\0', middle + 1), answer.text.size());
+    if (answer.text.compare(at, middle - at, name) == 0 && middle < answer.text.size()) {
+      stored.value = answer.text.substr(middle + 1, end - middle - 1);
+    }
+    at = end + 1;
+  }
+  return stored;
+}
+
 Result<Image> decode_image(std::string_view bytes, const std::string& name, Encoding encoding) {
   if (bytes.empty()) return Error{ErrorKind::kBadContent, "the image is empty", name, "", ""};
   const ImageSource source{name, bytes, encoding};

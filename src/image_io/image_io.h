@@ -34,6 +34,16 @@ std::vector<Result<Image>> read_images(std::span<const ImageSource> sources);
 /// The same from bytes in memory (an image inside a .glb); name is for messages.
 Result<Image> decode_image(std::string_view bytes, const std::string& name, Encoding encoding);
 
+/// A text that write_image() stored with a picture; empty if it has none of that name.
+struct StoredAttribute {
+  std::string value;
+  int width = 0;
+  int height = 0;
+};
+/// Reads the whole file, so that a damaged one is found out. name begins with "luminist:". errors those of
+/// read_image().
+Result<StoredAttribute> read_attribute(const std::string& path, const std::string& name);
+
 /// Writes by extension: .exr half float, linear, ZIP; .png 8-bit sRGB (clamped). Atomic as write_file_atomic().
 /// attributes are stored as text metadata. errors kUnwritable, kUsage for an unknown extension, kChild.
 Result<void> write_image(const std::string& path, const Image& image,

@@ -6,11 +6,16 @@
 namespace luminist {
 
 /// The helper's verbs (its first argument). It answers every packet on its standard input with one on its output.
-inline constexpr const char* kDecodeVerb = "decode";         ///< text: name; data: a file -> header with size; samples
+inline constexpr const char* kDecodeVerb =
+    "decode";  ///< text: name; data: a file -> header with size; text: our attributes; samples
 inline constexpr const char* kEncodeExrVerb = "encode-exr";  ///< text: attributes; data: float samples -> a file
 inline constexpr const char* kEncodePngVerb = "encode-png";  ///< text: attributes; data: 8-bit samples -> a file
 
 enum class Sample : std::uint32_t { kByte = 1, kShort = 2, kFloat = 4 };  ///< the value is the size in bytes
+
+/// Attributes are names and values in turn, each ended by a zero byte. Of a file only those of this prefix come back.
+inline constexpr const char* kAttributePrefix = "luminist:";
+inline constexpr std::size_t kMostAttributeBytes = 4096;
 
 inline constexpr std::uint32_t kPacketMagic = 0x4d494c31;  // "1LIM"
 inline constexpr int kLargestSide = 32'768;

@@ -46,19 +46,6 @@ void unlock(TomlReader& read, const TomlValue& item, ParamBlock& block) {
                nearest.empty() ? "" : fmt::format("did you mean \"{}\"?", nearest));
 }
 
-std::string value_text(const ParamBlock& block, int param) {
-  const ParamSpec& spec = block.schema()[param];
-  if (spec.type == ParamType::kBool) return block.get(param) != 0.0 ? "true" : "false";
-  if (spec.type == ParamType::kInt) return fmt::format("{}", static_cast<int>(block.get(param)));
-  if (spec.type == ParamType::kChoice) return toml_string(spec.choices[static_cast<std::size_t>(block.get(param))]);
-  std::vector<std::string> numbers;
-  numbers.reserve(static_cast<std::size_t>(spec.components()));
-  for (int c = 0; c < spec.components(); ++c) {
-    numbers.push_back(number_text(shortest_double(static_cast<float>(block.get(param, c)))));
-  }
-  return spec.components() == 1 ? numbers[0] : fmt::format("[{}]", fmt::join(numbers, ", "));
-}
-
 /// The unlocked degrees of freedom of a block, whole parameters by their name.
 std::vector<std::string> unlocked_names(const ParamBlock& block) {
   std::vector<std::string> names;
@@ -89,10 +76,23 @@ void read_params(TomlReader& read, ParamBlock& block) {
   for (const TomlValue& item : unlocked->items) unlock(read, item, block);
 }
 
+std::string param_to_toml(const ParamBlock& block, int param) {
+  const ParamSpec& spec = block.schema()[param];
+  if (spec.type == ParamType::kBool) return block.get(param) != 0.0 ? "true" : "false";
+  if (spec.type == ParamType::kInt) return fmt::format("{}", static_cast<int>(block.get(param)));
+  if (spec.type == ParamType::kChoice) return toml_string(spec.choices[static_cast<std::size_t>(block.get(param))]);
+  std::vector<std::string> numbers;
+  numbers.reserve(static_cast<std::size_t>(spec.components()));
+  for (int c = 0; c < spec.components(); ++c) {
+    numbers.push_back(number_text(shortest_double(static_cast<float>(block.get(param, c)))));
+  }
+  return spec.components() == 1 ? numbers[0] : fmt::format("[{}]", fmt::join(numbers, ", "));
+}
+
 std::string params_to_toml(const ParamBlock& block) {
   std::string text;
   for (int param = 0; param < block.schema().size(); ++param) {
-    text += fmt::format("{} = {}\n", block.schema()[param].name, value_text(block, param));
+    text += fmt::format("{} = {}\n", block.schema()[param].name, param_to_toml(block, param));
   }
   const std::vector<std::string> unlocked = unlocked_names(block);
   if (unlocked != unlocked_names(ParamBlock(block.schema_pointer(), SceneFrame{}))) {

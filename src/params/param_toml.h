@@ -16,6 +16,9 @@ void read_params(TomlReader& read, ParamBlock& block);
 /// the schema starts with.
 std::string params_to_toml(const ParamBlock& block);
 
+/// The value of one parameter as it stands there behind its name.
+std::string param_to_toml(const ParamBlock& block, int param);
+
 /// A quoted TOML string.
 std::string toml_string(std::string_view text);
 

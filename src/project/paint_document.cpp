@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
+#include <utility>
 #include <vector>
 
 #include <fmt/format.h>
@@ -208,6 +209,20 @@ Result<void> write_paint(const CanvasState& canvas, Document& document, TileStor
   LUM_TRY_VOID(write_plane(stroke_image(canvas), "stroke", document, tiles));
   if (canvas.importance.paint.empty()) return {};
   return write_plane(canvas.importance.paint, "importance", document, tiles);
+}
+
+void turn_paint(Document& document, double from_frame, double to_frame) {
+  const auto move = [&](const std::string& from, const std::string& to) {
+    std::vector<std::pair<std::string, std::string>> moved;
+    const auto& entries = document.entries();
+    for (auto entry = entries.lower_bound(from); entry != entries.end() && entry->first.starts_with(from); ++entry) {
+      moved.emplace_back(to + entry->first.substr(from.size()), entry->second);
+    }
+    document.erase_below(from);
+    for (auto& [path, value] : moved) document.set(path, std::move(value));
+  };
+  move("paint/", fmt::format("frames/{}/paint/", number_text(from_frame)));
+  move(fmt::format("frames/{}/paint/", number_text(to_frame)), "paint/");
 }
 
 bool has_paint(const Document& document) {

@@ -15,6 +15,10 @@ inline constexpr int kTileSide = 64;
 /// rendered again. errors kUnwritable. cost O(pixels), hashing.
 Result<void> write_paint(const CanvasState& canvas, Document& document, TileStore& tiles);
 
+/// Puts the paint away as that of one frame ("frames/FRAME/paint/...") and takes out that of another; none if there is
+/// none. cost O(entries).
+void turn_paint(Document& document, double from_frame, double to_frame);
+
 /// Whether the document holds strokes.
 bool has_paint(const Document& document);
 

@@ -1,5 +1,6 @@
 #include "project/state_document.h"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -77,6 +78,51 @@ Result<std::string> text_at(const Document& document, const std::string& path) {
   return value.get<std::string>();
 }
 
+std::string keys_path(const KeyTrack& track) {
+  return fmt::format("keys/{}/{}", track.light.empty() ? "ambient" : "lights/" + track.light, track.param);
+}
+
+void write_keys(const LightRig& rig, Document& document) {
+  document.erase_below("keys/");
+  for (const KeyTrack& track : rig.keys) {
+    Json keys = Json::array();
+    for (const Key& key : track.keys) {
+      const std::string& word = key_interpolation_words()[static_cast<std::size_t>(key.interpolation)];
+      keys.push_back({key.frame, word, key.value[0], key.value[1], key.value[2]});
+    }
+    document.set(keys_path(track), keys.dump());
+  }
+}
+
+Result<Key> read_key(const Json& value, const std::string& path) {
+  const bool shaped = value.is_array() && value.size() == 5 && value[0].is_number() && value[1].is_string() &&
+                      value[2].is_number() && value[3].is_number() && value[4].is_number();
+  if (!shaped) return wrong(path, "a frame, an interpolation and three numbers are wanted");
+  const std::span<const std::string> words = key_interpolation_words();
+  const auto word = std::find(words.begin(), words.end(), value[1].get<std::string>());
+  if (word == words.end()) return wrong(path, fmt::format("use one of {}", fmt::join(words, ", ")));
+  return Key{value[0].get<double>(),
+             static_cast<KeyInterpolation>(word - words.begin()),
+             {value[2].get<double>(), value[3].get<double>(), value[4].get<double>()}};
+}
+
+Result<void> read_track(const Document& document, const std::string& light, const ParamBlock& block, LightRig& rig) {
+  for (const ParamSpec& spec : block.schema().specs()) {
+    KeyTrack track{light, spec.name, {}};
+    const std::string path = keys_path(track);
+    if (!document.has(path)) continue;
+    const Json keys = Json::parse(document.get(path), nullptr, false);
+    if (!keys.is_array() || keys.empty()) return wrong(path, "an array of keys is wanted");
+    for (const Json& each : keys) {
+      LUM_TRY(const Key key, read_key(each, path));
+      if (!track.keys.empty() && !(key.frame > track.keys.back().frame)) return wrong(path, "frames must ascend");
+      track.keys.push_back(key);
+    }
+    rig.keys.push_back(std::move(track));
+  }
+  return {};
+}
+
 Result<Light> read_light(const Document& document, const std::string& name, const LightTypes& types,
                          const SceneFrame& frame) {
   const std::string path = "lights/" + name;
@@ -109,6 +155,7 @@ void write_state(const ParamState& state, Document& document) {
     document.set(path + "/@muted", Json(light.muted).dump());
     write_block(path, light.params, document);
   }
+  write_keys(state.rig, document);
   write_block("ambient", state.rig.ambient, document);
   write_block("style", state.style, document);
 }
@@ -126,6 +173,8 @@ Result<ParamState> read_state(const Document& document, const LightTypes& types,
   LUM_TRY(state.rig.shadow_light, text_at(document, "rig/shadow_light"));
   LUM_TRY_VOID(read_block(document, "ambient", state.rig.ambient));
   LUM_TRY_VOID(read_block(document, "style", state.style));
+  LUM_TRY_VOID(read_track(document, "", state.rig.ambient, state.rig));
+  for (const Light& light : state.rig.lights) LUM_TRY_VOID(read_track(document, light.name, light.params, state.rig));
   LUM_TRY(state.rig.constraints, constraints_from_json(document.get("rig/constraints")));
   if (const auto fault = find_fault(state.rig)) return wrong("rig/constraints", fault->what);
   keep_constraints(state.rig);

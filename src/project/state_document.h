@@ -7,7 +7,7 @@ namespace luminist {
 
 /// Paths: "rig/lights" (names in order), "rig/shadow_light", "rig/constraints" (objects as the tables of a rig file;
 /// absent if there are none), "lights/NAME/@type", "@group", "@muted", "lights/NAME/PARAM", "ambient/PARAM",
-/// "style/PARAM", and "locks/..." of each of these: one boolean per degree of freedom. Values are exact: what is read
+/// "style/PARAM", "keys/lights/NAME/PARAM" (arrays of [frame, interpolation, numbers...]), and "locks/..." of each of these: one boolean per degree of freedom. Values are exact: what is read
 /// back has the same bits. Paths of other kinds stay as they are, but lights that are not in the state are erased.
 void write_state(const ParamState& state, Document& document);
 

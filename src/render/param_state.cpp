@@ -190,6 +190,22 @@ Result<int> set_locked(ParamState& state, std::string_view pattern, bool locked)
   return count;
 }
 
+Result<std::vector<ParamPlace>> params_matching(const ParamState& state, std::string_view pattern) {
+  std::vector<ParamPlace> places;
+  const std::vector<const ParamBlock*> blocks = state.blocks();
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    const std::vector<std::string> prefixes = block_prefixes(state, b);
+    const bool block = std::find(prefixes.begin(), prefixes.end(), pattern) != prefixes.end();
+    for (int param = 0; param < blocks[b]->schema().size(); ++param) {
+      if (block || any_matches(pattern, prefixes, blocks[b]->schema()[param].name)) places.push_back({b, param});
+    }
+  }
+  if (!places.empty()) return places;
+  return Error{ErrorKind::kUsage, fmt::format("\"{}\" matches no parameter", pattern), "", std::string(pattern),
+               nearest_hint(pattern, param_paths(state, false),
+                            "write a path as lights/NAME, lights/NAME/color, group:NAME/color or style/*")};
+}
+
 std::vector<std::string> dof_names(const ParamState& state, const UnitMap& map) {
   const std::vector<std::string> paths = state.block_paths();
   const std::vector<const ParamBlock*> blocks = state.blocks();

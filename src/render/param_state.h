@@ -44,6 +44,14 @@ std::string range_note(const ParamState& state, std::string_view path, const Sce
 /// returns the number of degrees of freedom that matched. errors kUsage if none did (with the nearest path).
 Result<int> set_locked(ParamState& state, std::string_view pattern, bool locked);
 
+/// A parameter: its block of blocks(), and its place in the schema.
+struct ParamPlace {
+  std::size_t block = 0;
+  int param = 0;
+};
+/// What a pattern as of set_locked() names, whole parameters only. errors kUsage if it names none (with the nearest).
+Result<std::vector<ParamPlace>> params_matching(const ParamState& state, std::string_view pattern);
+
 /// Names of the unlocked degrees of freedom in UnitMap order: "lights/key/position.x", "lights/key/direction.u" ...
 std::vector<std::string> dof_names(const ParamState& state, const UnitMap& map);
 

@@ -120,17 +120,18 @@ void Views::join_targets() {
   std::vector<Image> color;
   std::vector<Image> before;
   std::vector<Image> importance;
+  const std::size_t first_view_pixels = views_.front().renderer->surface().pixels();
   for (const View& view : views_) {
     const Target seen = as_compared(view.target, view.renderer->style().metric);
     color.push_back(seen.color);
     before.push_back(seen.before);
     importance.push_back(seen.importance);
     append(target_.stroke, seen.stroke);
-    // All views count alike, however much of them is painted.
+    // A view counts as its weight says, however much of it is painted.
     double sum = 0.0;
     for (const float weight : seen.importance.data) sum += static_cast<double>(weight);
     if (!(sum > 0.0)) continue;
-    const auto scale = static_cast<float>(static_cast<double>(seen.importance.pixels()) / sum);
+    const auto scale = static_cast<float>(view.weight * static_cast<double>(first_view_pixels) / sum);
     for (float& weight : importance.back().data) weight *= scale;
   }
   target_.color = stacked(color);

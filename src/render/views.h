@@ -16,13 +16,14 @@ struct View {
   Renderer* renderer = nullptr;
   Target target;
   ParamBlock style;
+  double weight = 1.0;  ///< > 0, of its error among the others'
 };
 
 /// An engine whose picture is the pictures of all views, one above the other, as their metrics compare them. So
 /// whatever searches on a Renderer searches on several views at once: the lights are shared, and each style has its own
 /// parameters, named "<style>_<parameter>".
 ///
-/// The error of target() is the mean of the views' epsilons, each over its own importance. Memory: one picture a view.
+/// The error of target() is the weighted mean of the views' epsilons, each over its own importance. Memory: one picture a view.
 /// The views' engines outlive it. thread: theirs.
 class Views final : public Renderer {
  public:

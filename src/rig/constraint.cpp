@@ -212,6 +212,7 @@ std::vector<Constraint> remove_light(LightRig& rig, const std::string& name) {
     return true;
   });
   if (rig.shadow_light == name) rig.shadow_light.clear();
+  std::erase_if(rig.keys, [&](const KeyTrack& track) { return track.light == name; });
   rig.lights.erase(rig.lights.begin() + (light - rig.lights.data()));
   keep_constraints(rig);
   return gone;

@@ -32,7 +32,7 @@ bool is_light_name(std::string_view name) {
 }
 
 LightRig empty_rig(const LightTypes& types, const SceneFrame& frame) {
-  return {ParamBlock(types.ambient(), frame), {}, "", {}};
+  return {ParamBlock(types.ambient(), frame), {}, "", {}, {}};
 }
 
 Result<Light> make_light(const LightTypes& types, const std::string& type, const std::string& name,

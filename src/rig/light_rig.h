@@ -7,6 +7,7 @@
 #include "base/math.h"
 #include "params/param_block.h"
 #include "rig/constraint.h"
+#include "rig/keyframes.h"
 #include "rig/light_type.h"
 #include "scene/scene.h"
 
@@ -25,6 +26,7 @@ struct LightRig {
   std::vector<Light> lights;
   std::string shadow_light;             ///< all lights use this light's shadow map; empty: each its own
   std::vector<Constraint> constraints;  ///< kept by keep_constraints()
+  std::vector<KeyTrack> keys;           ///< what changes over frames; the parameters are as at one of them
 
   [[nodiscard]] Light* find(const std::string& name);
   [[nodiscard]] const Light* find(const std::string& name) const;
@@ -45,10 +47,10 @@ Result<Light> make_light(const LightTypes& types, const std::string& type, const
 
 /// A rig file: TOML, `shadow_light`, [ambient], [[light]] tables with name, type, group, muted and the parameters by
 /// their manifest names; `unlocked = ["color", ...]` where a saved rig differs from the schema's own choice;
-/// [[constraint]] tables with `light` and one of `on_plane = {point, normal}`, `at_distance = {distance, from}`,
-/// `mirror_of = {light, point, normal}` and `same_color = {light, factor}`, which are kept in the rig that is returned.
-/// errors kMissing; kBadContent at path:line:col with the nearest valid key, kBadContent for two lights of one name and
-/// for what find_fault() finds.
+/// [[key]] tables as of read_keys(); [[constraint]] tables with `light` and one of `on_plane = {point, normal}`,
+/// `at_distance = {distance, from}`, `mirror_of = {light, point, normal}` and `same_color = {light, factor}`, which are
+/// kept in the rig that is returned. errors kMissing; kBadContent at path:line:col with the nearest valid key,
+/// kBadContent for two lights of one name and for what find_fault() finds.
 Result<LightRig> load_rig(const std::string& path, const LightTypes& types, const SceneFrame& frame);
 Result<LightRig> parse_rig(const std::string& toml, const std::string& path, const LightTypes& types,
                            const SceneFrame& frame);

@@ -65,6 +65,7 @@ Result<LightRig> parse_rig(const std::string& toml, const std::string& path, con
   const TomlValue* ambient = root.table("ambient");
   const std::span<const TomlValue> lights = root.tables("light");
   const std::span<const TomlValue> constraints = root.tables("constraint");
+  const std::span<const TomlValue> keys = root.tables("key");
   LUM_TRY_VOID(root.finish());
   if (ambient != nullptr) {
     TomlReader read(*ambient, path, ErrorKind::kBadContent);
@@ -84,6 +85,7 @@ Result<LightRig> parse_rig(const std::string& toml, const std::string& path, con
   }
   LUM_TRY_VOID(root.status());
   LUM_TRY_VOID(read_constraints(constraints, path, rig));
+  LUM_TRY_VOID(read_keys(keys, path, rig));
   return rig;
 }
 
@@ -97,7 +99,7 @@ std::string rig_to_toml(const LightRig& rig) {
     if (light.muted) text += "muted = true\n";
     text += params_to_toml(light.params);
   }
-  return text + constraints_to_toml(rig);
+  return text + constraints_to_toml(rig) + keys_to_toml(rig);
 }
 
 Result<void> save_rig(const LightRig& rig, const std::string& path) {

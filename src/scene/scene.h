@@ -76,6 +76,8 @@ struct Scene {
 struct SceneOptions {
   bool floor = false;  ///< add a floor under the scene
   bool wall = false;   ///< add a wall behind it, seen from the automatic camera
+
+  [[nodiscard]] bool operator==(const SceneOptions&) const = default;
 };
 
 /// Reads .gltf, .glb, .obj (with .mtl), .ply, .stl or .off. Missing normals are made smooth; a file without a camera

@@ -17,13 +17,16 @@ using Json = nlohmann::json;
 
 namespace {
 
-Results results_of(const Image& picture, const ParamState& lights, const Target& target,
+/// The rig as accepting the lights would leave it: with keys at this frame.
+Results results_of(const Image& picture, const ParamState& lights, double frame, const Target& target,
                    const std::optional<SolveReport>& report) {
+  LightRig rig = lights.rig;
+  follow_with_keys(rig, frame);
   return {picture,
           target.color,
           target.importance,
           residual_map(picture, target),
-          rig_to_toml(lights.rig),
+          rig_to_toml(rig),
           block_to_json(lights.style).dump(2) + "\n",
           report,
           std::nullopt};
@@ -37,8 +40,8 @@ Result<Results> collect_results(Session& session) {
   LUM_TRY(const Target* target, session.target());
   if (for_solve) target = &solved->target;
   LUM_TRY(const Image* picture, session.picture());
-  Results results =
-      results_of(*picture, session.shown(), *target, solved != nullptr ? std::optional(solved->report) : std::nullopt);
+  Results results = results_of(*picture, session.shown(), session.shot().frame, *target,
+                               solved != nullptr ? std::optional(solved->report) : std::nullopt);
   if (solved != nullptr) results.verdict = solved->verdict;
   return results;
 }
@@ -46,7 +49,7 @@ Result<Results> collect_results(Session& session) {
 Result<Results> collect_results(const Session& session, const ParamState& lights, const Target& target,
                                 const std::optional<SolveReport>& report) {
   LUM_TRY(const Image picture, session.stage().renderer->render(lights));
-  return results_of(picture, lights, target, report);
+  return results_of(picture, lights, session.shot().frame, target, report);
 }
 
 Image importance_picture(const Image& importance) {

@@ -25,7 +25,9 @@ const std::vector<std::string> kNone;
 const std::vector<ScriptRunner::Verb>& ScriptRunner::verbs() {
   using R = ScriptRunner;
   static const std::vector<Verb> verbs = {
-      {"open", {"scene", "project", "camera", "size", "style", "rig", "set", "floor", "wall"}, &R::open},
+      {"open",
+       {"scene", "project", "camera", "size", "style", "rig", "set", "floor", "wall", "frame", "fps"},
+       &R::open},
       {"set", {"path", "value", "values"}, &R::set},
       {"lock", {"pattern"}, &R::lock},
       {"unlock", {"pattern"}, &R::lock},
@@ -37,6 +39,9 @@ const std::vector<ScriptRunner::Verb>& ScriptRunner::verbs() {
       {"share_shadows", {"light"}, &R::share_shadows},
       {"load_rig", {"rig"}, &R::load_rig},
       {"style", {"name"}, &R::style},
+      {"go_to", {"frame"}, &R::go_to},
+      {"key", {"pattern", "interpolation"}, &R::key},
+      {"remove_key", {"pattern"}, &R::key},
       {"paint", {"strokes", "path"}, &R::paint},
       {"importance", {"nu", "delta"}, &R::importance},
       {"target", {"image", "importance"}, &R::target},
@@ -92,6 +97,11 @@ Result<void> ScriptRunner::open(const Action& action) {
   LUM_TRY(shot.set, action.texts("set"));
   LUM_TRY(const auto floor, action.flag("floor"));
   LUM_TRY(const auto wall, action.flag("wall"));
+  LUM_TRY(const auto frame, action.number("frame"));
+  LUM_TRY(const auto fps, action.number("fps"));
+  shot.frame = frame.value_or(shot.frame);
+  shot.fps = fps.value_or(shot.fps);
+  if (!(shot.fps > 0.0)) return action.wrong("frames a second are wanted", "fps");
   shot.camera = camera.value_or("");
   if (size) shot.width = size->first, shot.height = size->second;
   shot.width = std::max(1, static_cast<int>(std::lround(scale_ * shot.width)));
@@ -182,6 +192,29 @@ Result<void> ScriptRunner::load_rig(const Action& action) {
 Result<void> ScriptRunner::style(const Action& action) {
   LUM_TRY(const std::string name, action.needed_text("name"));
   return session_->restyle(name);
+}
+
+Result<void> ScriptRunner::go_to(const Action& action) {
+  LUM_TRY(const auto frame, action.number("frame"));
+  if (!frame) return action.wrong("\"go_to\" needs this field", "frame");
+  return session_->go_to(*frame);
+}
+
+Result<void> ScriptRunner::key(const Action& action) {
+  LUM_TRY(const std::vector<std::string> patterns, action.texts("pattern"));
+  if (patterns.empty()) return action.wrong(fmt::format("\"{}\" needs this field", action.verb()), "pattern");
+  LUM_TRY(const auto word, action.text("interpolation"));
+  const std::span<const std::string> words = key_interpolation_words();
+  const auto found = std::find(words.begin(), words.end(), word.value_or("smooth"));
+  if (found == words.end()) {
+    return action.wrong(fmt::format("use one of {}", fmt::join(words, ", ")), "interpolation");
+  }
+  for (const std::string& pattern : patterns) {
+    LUM_TRY_VOID(action.verb() == "key"
+                     ? session_->set_keys(pattern, static_cast<KeyInterpolation>(found - words.begin()))
+                     : session_->remove_keys(pattern));
+  }
+  return {};
 }
 
 Result<ScriptStrokes> ScriptRunner::strokes_of(const Action& action) const {

@@ -61,6 +61,8 @@ class ScriptRunner {
   Result<void> share_shadows(const Action& action);
   Result<void> load_rig(const Action& action);
   Result<void> style(const Action& action);
+  Result<void> go_to(const Action& action);
+  Result<void> key(const Action& action);
   Result<ScriptStrokes> strokes_of(const Action& action) const;
   Result<void> paint(const Action& action);
   Result<void> importance(const Action& action);

@@ -50,6 +50,8 @@ Result<std::unique_ptr<Session>> Session::open(Device& device, const AssetRoots&
                        {"style", shot.style},
                        {"rig", shot.rig},
                        {"set", shot.set},
+                       {"frame", shot.frame},
+                       {"fps", shot.fps},
                        {"floor", shot.scene_options.floor},
                        {"wall", shot.scene_options.wall}};
   return std::unique_ptr<Session>(
@@ -86,6 +88,7 @@ Result<void> Session::commit(const std::string& label, const std::string& action
 
 Result<void> Session::commit_state(const std::string& label, const std::string& action, ParamState next) {
   keep_constraints(next.rig);
+  follow_with_keys(next.rig, shot_.frame);
   Document document = project_.document();
   write_state(next, document);
   LUM_TRY_VOID(commit(label, action, document));
@@ -115,7 +118,8 @@ Result<void> Session::reload() {
   LUM_TRY(Shot shot, read_shot(project_.document()));
   std::unique_ptr<Stage> stage;
   if (!same_stage(shot, shot_)) {
-    LUM_TRY(stage, open_stage(*device_, roots_, shot, folder_, *diagnostics_));
+    const bool same_file = shot.scene == shot_.scene && shot.scene_options == shot_.scene_options;
+    LUM_TRY(stage, open_stage(*device_, roots_, shot, folder_, *diagnostics_, same_file ? stage_->moving : nullptr));
   }
   const Stage& next = stage ? *stage : *stage_;
   LUM_TRY(ParamState state, read_state(project_.document(), next.types, next.style, next.frame));

@@ -75,6 +75,16 @@ class Session {
   Result<void> share_shadows(const std::string& name);
   /// Replaces the lights by those of a file. errors those of find_input() and load_rig().
   Result<void> load_rig(const std::string& path, const std::filesystem::path& folder);
+  /// Looks at another frame: what moves is moved, the lights are as their keys say, and the paint of the frame that is
+  /// left stays with it. cost reading nothing, drawing the scene anew where something moves. errors kUsage for a number
+  /// that is not finite.
+  Result<void> go_to(double frame);
+  /// Keys at this frame for the parameters of lights that a pattern names (render/param_state.h), whatever their
+  /// locks. From then on what is changed at a frame, by hand or by an accepted solve, is a key there.
+  /// returns how many. errors kUsage if the pattern names none.
+  Result<int> set_keys(const std::string& pattern, KeyInterpolation interpolation);
+  /// Takes the keys at this frame away; a parameter without keys keeps its value. returns and errors as above.
+  Result<int> remove_keys(const std::string& pattern);
   /// Looks at the same shot in another style. cost compiling it. errors kStyle, kMissing.
   Result<void> restyle(const std::string& name);
 

@@ -150,13 +150,14 @@ Result<void> Session::load_rig(const std::string& path, const std::filesystem::p
   ParamState next = state_;
   LUM_TRY(const std::string file, find_input(path, folder, roots_));
   LUM_TRY(next.rig, luminist::load_rig(file, stage_->types, stage_->frame));
+  pose(next.rig, shot_.frame);
   return commit_state("Load the rig " + path, Json{{"do", "load_rig"}, {"rig", path}}.dump(), std::move(next));
 }
 
 Result<void> Session::restyle(const std::string& name) {
   Shot shot = shot_;
   shot.style = name;
-  LUM_TRY(auto stage, open_stage(*device_, roots_, shot, folder_, *diagnostics_));
+  LUM_TRY(auto stage, open_stage(*device_, roots_, shot, folder_, *diagnostics_, stage_->moving));
   ParamState next{state_.rig, initial_state(stage->types, stage->style, stage->frame).style};
   Document document = project_.document();
   document.erase_below("style/");

@@ -84,6 +84,7 @@ const Solved* Session::solved() {
 Result<void> Session::accept() {
   if (!has_proposal()) return no_proposal();
   ParamState next = shown();
+  follow_with_keys(next.rig, shot_.frame);
   LUM_TRY(const Canvas* canvas, this->canvas());
   LUM_TRY(Image picture, stage_->renderer->render(next));
   Canvas rebased = *canvas;

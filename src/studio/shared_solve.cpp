@@ -4,16 +4,18 @@
 
 namespace luminist {
 
-Result<SharedSolve> SharedSolve::create(std::span<Session* const> sessions, const SolveOptions& options) {
-  LUM_CHECK(!sessions.empty(), "somebody shares the rig");
+Result<SharedSolve> SharedSolve::create(std::span<Session* const> sessions, std::span<const double> weights,
+                                        const SolveOptions& options) {
+  LUM_CHECK(!sessions.empty() && weights.size() == sessions.size(), "somebody shares the rig, with a weight each");
   std::vector<View> views;
-  for (Session* session : sessions) {
+  for (std::size_t k = 0; k < sessions.size(); ++k) {
+    Session* session = sessions[k];
     if (!session->painted()) {
       return Error{ErrorKind::kNothingToDo, "nothing is painted", session->stage().style.name, "",
                    "paint the light that you want to see"};
     }
     LUM_TRY(const Target* target, session->target());
-    views.push_back({session->stage().renderer.get(), *target, session->state().style});
+    views.push_back({session->stage().renderer.get(), *target, session->state().style, weights[k]});
   }
   LUM_TRY(std::unique_ptr<Views> joined, Views::create(std::move(views)));
   ParamState start = joined->joint(sessions.front()->state().rig);

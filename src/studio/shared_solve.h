@@ -10,13 +10,15 @@
 
 namespace luminist {
 
-/// A solve of what the sessions want together: the mean of their errors. The rig is one, with the locks and constraints
-/// of the first session's; every style has its own parameters (sessions of one style share them). The sessions stay as
-/// they are. They outlive the solve. thread the device's.
+/// A solve of what the sessions want together: the mean of their errors, weighted. The rig is one, with the locks and
+/// constraints of the first session's; every style has its own parameters (sessions of one style share them). The
+/// sessions stay as they are. They outlive the solve. thread the device's.
 class SharedSolve {
  public:
-  /// errors kNothingToDo: nothing painted in one of them, everything locked, nothing counts; those of Views::create().
-  static Result<SharedSolve> create(std::span<Session* const> sessions, const SolveOptions& options);
+  /// weights [sessions] > 0. errors kNothingToDo: nothing painted in one of them, everything locked, nothing counts;
+  /// those of Views::create().
+  static Result<SharedSolve> create(std::span<Session* const> sessions, std::span<const double> weights,
+                                    const SolveOptions& options);
 
   /// As SolveSession. errors the engines'.
   Result<bool> run_for(std::chrono::milliseconds slice) { return solve_->run_for(slice); }

@@ -21,6 +21,12 @@ Result<std::string> text_at(const Document& document, const std::string& path) {
   return value.get<std::string>();
 }
 
+Result<double> number_at(const Document& document, const std::string& path) {
+  const Json value = Json::parse(document.get(path), nullptr, false);
+  if (!value.is_number()) return wrong(path, "a number is wanted");
+  return value.get<double>();
+}
+
 }  // namespace
 
 Result<std::string> find_input(const std::string& path, const fs::path& folder, const AssetRoots& roots) {
@@ -55,6 +61,8 @@ void write_shot(const Shot& shot, Document& document) {
   document.set("shot/camera", Json(shot.camera).dump());
   document.set("shot/size", Json(std::array{shot.width, shot.height}).dump());
   document.set("shot/style", Json(shot.style).dump());
+  document.set("shot/frame", Json(shot.frame).dump());
+  document.set("shot/fps", Json(shot.fps).dump());
 }
 
 Result<Shot> read_shot(const Document& document) {
@@ -70,13 +78,21 @@ Result<Shot> read_shot(const Document& document) {
   }
   shot.width = size[0].get<int>();
   shot.height = size[1].get<int>();
+  // Older projects know no frames.
+  if (document.has("shot/frame")) {
+    LUM_TRY(shot.frame, number_at(document, "shot/frame"));
+  }
+  if (document.has("shot/fps")) {
+    LUM_TRY(shot.fps, number_at(document, "shot/fps"));
+  }
+  if (!(shot.fps > 0.0)) return wrong("shot/fps", "frames a second are wanted");
   return shot;
 }
 
 bool same_stage(const Shot& one, const Shot& other) {
-  return one.scene == other.scene && one.scene_options.floor == other.scene_options.floor &&
-         one.scene_options.wall == other.scene_options.wall && one.camera == other.camera && one.width == other.width &&
-         one.height == other.height && one.style == other.style;
+  return one.scene == other.scene && one.scene_options == other.scene_options && one.camera == other.camera &&
+         one.width == other.width && one.height == other.height && one.style == other.style &&
+         one.frame == other.frame && one.fps == other.fps;
 }
 
 }  // namespace luminist

@@ -35,13 +35,20 @@ Result<void> check_size(int width, int height) {
 }  // namespace
 
 Result<std::unique_ptr<Stage>> open_stage(Device& device, const AssetRoots& roots, const Shot& shot,
-                                          const std::filesystem::path& folder, Diagnostics& diagnostics) {
+                                          const std::filesystem::path& folder, Diagnostics& diagnostics,
+                                          std::shared_ptr<Scene> moving) {
   LUM_TRY_VOID(check_size(shot.width, shot.height));
   auto stage = std::make_unique<Stage>();
   LUM_TRY(stage->style, load_whole_style(roots, shot.style));
   LUM_TRY(stage->types, LightTypes::load(roots));
-  LUM_TRY(const std::string path, find_input(shot.scene, folder, roots));
-  LUM_TRY(Scene scene, load_scene(path, shot.scene_options, diagnostics));
+  std::shared_ptr<Scene> loaded = std::move(moving);
+  if (!loaded) {
+    LUM_TRY(const std::string path, find_input(shot.scene, folder, roots));
+    LUM_TRY(Scene read, load_scene(path, shot.scene_options, diagnostics));
+    loaded = std::make_shared<Scene>(std::move(read));
+  }
+  Scene& scene = *loaded;
+  pose(scene, shot.seconds());
   LUM_TRY(const Camera camera, choose_camera(scene, shot.camera));
   stage->frame = scene.frame();
   stage->bounds = scene.bounds();
@@ -49,7 +56,8 @@ Result<std::unique_ptr<Stage>> open_stage(Device& device, const AssetRoots& root
   LUM_TRY(stage->renderer,
           RasterRenderer::create(device, scene, camera, stage->types, stage->style, roots, shot.width, shot.height));
   stage->edges = std::make_shared<const EdgeMask>(edge_pixels(stage->renderer->surface()));
-  stage->scene_lights = std::move(scene.lights);
+  stage->scene_lights = scene.lights;
+  if (!scene.animation.empty()) stage->moving = std::move(loaded);
   return stage;
 }
 
@@ -62,8 +70,10 @@ Result<ParamState> starting_state(const Stage& stage, const AssetRoots& roots, c
   } else if (!stage.scene_lights.empty()) {
     LUM_TRY(state.rig.lights, from_punctual(stage.scene_lights, stage.types, stage.frame));
   }
+  pose(state.rig, shot.frame);
   for (const std::string& assignment : shot.set) LUM_TRY_VOID(set_path(state, assignment));
   keep_constraints(state.rig);
+  follow_with_keys(state.rig, shot.frame);
   return state;
 }
 

@@ -22,17 +22,21 @@ struct Stage {
   Box bounds;  ///< of the scene without backdrops
   std::vector<std::string> camera_names;
   std::vector<PunctualLight> scene_lights;
+  std::shared_ptr<Scene> moving;  ///< the scene itself, to be posed again; null where nothing moves
   std::unique_ptr<RasterRenderer> renderer;
   std::shared_ptr<const EdgeMask> edges;  ///< of the renderer's surface, for every solve on it
 };
 
-/// device outlives the stage. Paths of the shot are looked for below folder, then below the roots.
-/// errors kUsage for an unknown camera (nearest name) or a bad size; those of the scene, the style and the engine.
-/// cost reading the scene and compiling the style: seconds.
+/// The shot's scene at the shot's frame. device outlives the stage. Paths of the shot are looked for below folder, then
+/// below the roots. errors kUsage for an unknown camera (nearest name) or a bad size; those of the scene, the style and
+/// the engine. cost reading the scene and compiling the style: seconds. A scene that moves and was read before, by the
+/// stage of another frame of the shot, is taken instead of the file.
 Result<std::unique_ptr<Stage>> open_stage(Device& device, const AssetRoots& roots, const Shot& shot,
-                                          const std::filesystem::path& folder, Diagnostics& diagnostics);
+                                          const std::filesystem::path& folder, Diagnostics& diagnostics,
+                                          std::shared_ptr<Scene> moving = nullptr);
 
-/// The lights that a shot starts with: its rig file, or the lights in the scene, or none; then its settings.
+/// The lights that a shot starts with: its rig file, or the lights in the scene, or none, at the shot's frame; then its
+/// settings.
 /// errors those of load_rig() and set_path().
 Result<ParamState> starting_state(const Stage& stage, const AssetRoots& roots, const Shot& shot,
                                   const std::filesystem::path& folder);

@@ -57,6 +57,12 @@ StyleFiles::Times StyleFiles::times() const {
   return result;
 }
 
+std::vector<fs::path> StyleFiles::files() const {
+  std::vector<fs::path> list;
+  for (const auto& [path, time] : times()) list.emplace_back(path);
+  return list;
+}
+
 bool StyleFiles::changed() {
   Times now = times();
   if (now == seen_) return false;

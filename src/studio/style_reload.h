@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "studio/stage.h"
 
@@ -12,6 +13,8 @@ namespace luminist {
 class StyleFiles {
  public:
   explicit StyleFiles(const Style& style) { follow(style); }
+  /// Those that are there now, in the order of their paths.
+  [[nodiscard]] std::vector<std::filesystem::path> files() const;
   /// A new version may have files elsewhere: what is there now is known.
   void follow(const Style& style);
   /// Whether one was written, added or removed since the last look (or since this was made).

@@ -111,7 +111,9 @@ Scene build_creature() {
   add_imp(stage);
   add_glade(stage);
   stage.add_camera("glade", {0.10F, 0.27F, 1.22F}, {0.02F, 0.235F, 0.0F}, 0.50F);
-  return stage.take();
+  Scene scene = stage.take();
+  animate_imp(scene);
+  return scene;
 }
 
 }  // namespace luminist

@@ -7,6 +7,7 @@
 
 #include "base/image.h"
 #include "make_scene/surface.h"
+#include "scene/scene.h"
 
 namespace luminist {
 
@@ -36,5 +37,9 @@ Mesh wing_bones(int side);
 Mesh wing_skin(int side);
 Image wing_painting(int width, int height);
 Image horn_painting(int width, int height);
+
+/// Two seconds in which it hops and turns on its spot, beats its wings and wags its tail; at their beginning all is at
+/// rest. The scene's objects are those of the creature, in the world at one tenth.
+void animate_imp(Scene& scene);
 
 }  // namespace luminist

@@ -153,6 +153,18 @@ std::vector<unsigned char> in_display_window(std::vector<unsigned char> data, co
   return full;
 }
 
+/// Our own attributes of a file, as the other end reads them.
+std::string own_attributes(const OIIO::ImageSpec& spec) {
+  std::string text;
+  for (const OIIO::ParamValue& value : spec.extra_attribs) {
+    const std::string name = value.name().string();
+    if (name.rfind(kAttributePrefix, 0) != 0 || value.type() != OIIO::TypeString) continue;
+    const std::string pair = name + '\0' + value.get_string() + '\0';
+    if (text.size() + pair.size() <= kMostAttributeBytes) text += pair;
+  }
+  return text;
+}
+
 Packet decode(const Packet& request) {
   const std::string format = format_of(request);
   if (format.empty()) return failure(ErrorKind::kBadContent, "not an image of a known kind");
@@ -172,6 +184,7 @@ Packet decode(const Packet& request) {
   }
   if (type != OIIO::TypeUInt8 && type != OIIO::TypeUInt16) type = OIIO::TypeFloat;
   Packet answer;
+  answer.text = own_attributes(spec);
   answer.header.sample = static_cast<Sample>(type.size());
   const std::size_t pixel_size = type.size() * static_cast<std::size_t>(spec.nchannels);
   std::vector<unsigned char> pixels(spec.image_pixels() * pixel_size);
@@ -196,7 +209,6 @@ void clamp_to_half(std::vector<unsigned char>& data) {
   }
 }
 
-/// The text holds names and values in turn, each ended by a zero byte.
 void set_attributes(const std::string& text, OIIO::ImageSpec& spec) {
   std::vector<std::string> words;
   for (std::size_t at = 0; at < text.size();) {

@@ -1,0 +1,194 @@
+#include "rig/keyframes.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <glm/vec3.hpp>
+
+#include "base/check.h"
+#include "rig/light_rig.h"
+
+namespace luminist {
+namespace {
+
+using Values = std::array<double, 3>;
+
+ParamBlock* block_of(LightRig& rig, const std::string& light) {
+  if (light.empty()) return &rig.ambient;
+  Light* found = rig.find(light);
+  return found != nullptr ? &found->params : nullptr;
+}
+
+bool steps(const ParamSpec& spec) {
+  return spec.type == ParamType::kInt || spec.type == ParamType::kBool || spec.type == ParamType::kChoice;
+}
+
+/// Slope at key i such that the curve is smooth and, between two keys, monotone. source Steffen 1990, equation 11.
+double slope_at(const std::vector<Key>& keys, std::size_t i, std::size_t component) {
+  if (i == 0 || i + 1 == keys.size()) return 0.0;
+  const double before = keys[i].frame - keys[i - 1].frame;
+  const double after = keys[i + 1].frame - keys[i].frame;
+  const double left = (keys[i].value[component] - keys[i - 1].value[component]) / before;
+  const double right = (keys[i + 1].value[component] - keys[i].value[component]) / after;
+  if (left * right <= 0.0) return 0.0;
+  const double parabola = (left * after + right * before) / (before + after);
+  const double least = std::min({std::abs(left), std::abs(right), 0.5 * std::abs(parabola)});
+  return std::copysign(2.0 * least, left);
+}
+
+Values smooth_between(const std::vector<Key>& keys, std::size_t i, double t) {
+  const double step = keys[i + 1].frame - keys[i].frame;
+  const double t2 = t * t;
+  const double t3 = t2 * t;
+  Values value{};
+  for (std::size_t c = 0; c < 3; ++c) {
+    value[c] = (2.0 * t3 - 3.0 * t2 + 1.0) * keys[i].value[c] + step * (t3 - 2.0 * t2 + t) * slope_at(keys, i, c) +
+               (3.0 * t2 - 2.0 * t3) * keys[i + 1].value[c] + step * (t3 - t2) * slope_at(keys, i + 1, c);
+  }
+  return value;
+}
+
+Values mixed(const Values& a, const Values& b, double t) {
+  Values value{};
+  for (std::size_t c = 0; c < 3; ++c) value[c] = (1.0 - t) * a[c] + t * b[c];
+  return value;
+}
+
+/// Along the great circle; around any axis between opposite directions.
+Values turned(const Values& from, const Values& to, double t) {
+  const glm::dvec3 a = glm::normalize(glm::dvec3(from[0], from[1], from[2]));
+  const glm::dvec3 b = glm::normalize(glm::dvec3(to[0], to[1], to[2]));
+  const double angle = std::acos(std::clamp(glm::dot(a, b), -1.0, 1.0));
+  constexpr double kTiny = 1e-9;
+  glm::dvec3 across = b - glm::dot(a, b) * a;
+  if (glm::length(across) < kTiny) {
+    if (angle < 1.0) return t < 1.0 ? from : to;
+    Vec3 x, y;
+    tangent_frame(Vec3(a), x, y);
+    across = x;
+  }
+  const glm::dvec3 v = std::cos(t * angle) * a + std::sin(t * angle) * glm::normalize(across);
+  return {v.x, v.y, v.z};
+}
+
+double ease(double t) {
+  return t * t * (3.0 - 2.0 * t);
+}
+
+Values value_at(const KeyTrack& track, const ParamSpec& spec, double frame) {
+  const std::vector<Key>& keys = track.keys;
+  const auto after =
+      std::upper_bound(keys.begin(), keys.end(), frame, [](double f, const Key& key) { return f < key.frame; });
+  if (after == keys.begin()) return keys.front().value;
+  const auto i = static_cast<std::size_t>(after - keys.begin()) - 1;
+  const Key& key = keys[i];
+  if (after == keys.end() || frame == key.frame || key.interpolation == KeyInterpolation::kStep || steps(spec)) {
+    return key.value;
+  }
+  const double t = (frame - key.frame) / (after->frame - key.frame);
+  const bool smooth = key.interpolation == KeyInterpolation::kSmooth;
+  if (spec.type == ParamType::kDirection) return turned(key.value, after->value, smooth ? ease(t) : t);
+  return smooth ? smooth_between(keys, i, t) : mixed(key.value, after->value, t);
+}
+
+Values stored(const ParamBlock& block, int param) {
+  Values value{};
+  for (int c = 0; c < block.schema()[param].components(); ++c) {
+    value[static_cast<std::size_t>(c)] = block.get(param, c);
+  }
+  return value;
+}
+
+void put_key(KeyTrack& track, const Key& key) {
+  const auto at = std::lower_bound(track.keys.begin(), track.keys.end(), key.frame,
+                                   [](const Key& each, double frame) { return each.frame < frame; });
+  if (at != track.keys.end() && at->frame == key.frame) {
+    *at = key;
+  } else {
+    track.keys.insert(at, key);
+  }
+}
+
+/// Of the last key up to a frame, or else of the first.
+KeyInterpolation interpolation_at(const KeyTrack& track, double frame) {
+  KeyInterpolation interpolation = track.keys.front().interpolation;
+  for (const Key& key : track.keys) {
+    if (key.frame <= frame) interpolation = key.interpolation;
+  }
+  return interpolation;
+}
+
+/// Sets the parameter; what it stores is a float, so a key's value comes back to the bit.
+void apply(const Values& value, ParamBlock& block, int param) {
+  for (int c = 0; c < block.schema()[param].components(); ++c) {
+    block.set(param, c, value[static_cast<std::size_t>(c)]);
+  }
+}
+
+}  // namespace
+
+std::span<const std::string> key_interpolation_words() {
+  static const std::array<std::string, 3> words{"step", "linear", "smooth"};
+  return words;
+}
+
+void pose(LightRig& rig, double frame) {
+  if (rig.keys.empty()) return;
+  for (const KeyTrack& track : rig.keys) {
+    ParamBlock* block = block_of(rig, track.light);
+    const auto param = block != nullptr ? block->schema().find(track.param) : std::nullopt;
+    if (param) apply(value_at(track, block->schema()[*param], frame), *block, *param);
+  }
+  keep_constraints(rig);
+}
+
+void set_key(LightRig& rig, const std::string& light, int param, double frame, KeyInterpolation interpolation) {
+  ParamBlock* block = block_of(rig, light);
+  LUM_CHECK(block != nullptr && param >= 0 && param < block->schema().size(), "a key is of a parameter that is there");
+  const std::string& name = block->schema()[param].name;
+  auto track = std::find_if(rig.keys.begin(), rig.keys.end(),
+                            [&](const KeyTrack& each) { return each.light == light && each.param == name; });
+  if (track == rig.keys.end()) track = rig.keys.insert(rig.keys.end(), {light, name, {}});
+  put_key(*track, {frame, interpolation, stored(*block, param)});
+}
+
+bool remove_key(LightRig& rig, const std::string& light, int param, double frame) {
+  const ParamBlock* block = block_of(rig, light);
+  LUM_CHECK(block != nullptr && param >= 0 && param < block->schema().size(), "a key is of a parameter that is there");
+  const std::string& name = block->schema()[param].name;
+  std::size_t removed = 0;
+  for (KeyTrack& track : rig.keys) {
+    if (track.light != light || track.param != name) continue;
+    removed += std::erase_if(track.keys, [&](const Key& key) { return key.frame == frame; });
+  }
+  std::erase_if(rig.keys, [](const KeyTrack& track) { return track.keys.empty(); });
+  return removed > 0;
+}
+
+int follow_with_keys(LightRig& rig, double frame) {
+  int count = 0;
+  for (KeyTrack& track : rig.keys) {
+    ParamBlock* block = block_of(rig, track.light);
+    const auto param = block != nullptr ? block->schema().find(track.param) : std::nullopt;
+    if (!param) continue;
+    ParamBlock posed = *block;
+    apply(value_at(track, block->schema()[*param], frame), posed, *param);
+    if (stored(posed, *param) == stored(*block, *param)) continue;
+    put_key(track, {frame, interpolation_at(track, frame), stored(*block, *param)});
+    ++count;
+  }
+  return count;
+}
+
+std::vector<double> key_frames(const LightRig& rig, const std::string& light) {
+  std::vector<double> frames;
+  for (const KeyTrack& track : rig.keys) {
+    if (light != "*" && track.light != light) continue;
+    for (const Key& key : track.keys) frames.push_back(key.frame);
+  }
+  std::sort(frames.begin(), frames.end());
+  frames.erase(std::unique(frames.begin(), frames.end()), frames.end());
+  return frames;
+}
+
+}  // namespace luminist

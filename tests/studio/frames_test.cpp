@@ -1,0 +1,178 @@
+// Frames: a session that moves through time, and sequences of pictures.
+#include <fmt/format.h>
+
+#include "image_io/image_io.h"
+#include "studio/sequence.h"
+#include "studio/session_fixture.h"
+
+namespace luminist {
+namespace {
+
+/// The ball rises by its diameter in one second.
+class FramesTest : public SessionTest {
+ protected:
+  void SetUp() override {
+    SessionTest::SetUp();
+    LUM_ASSERT_OK(Scene scene, load_scene(folder_.file("ball.obj"), {}, diagnostics_));
+    scene.animation.nodes.push_back({.name = "lift"});
+    Track rise;
+    rise.times = {0.0F, 1.0F};
+    rise.values = {Vec4(0.0F), Vec4(0.0F, 2.0F, 0.0F, 0.0F)};
+    scene.animation.tracks.push_back(std::move(rise));
+    scene.objects[0].mount.node = 0;
+    hang(scene);
+    LUM_EXPECT_OK(save_scene(scene, folder_.file("rising.glb")));
+    Shot moving = shot();
+    moving.scene = folder_.file("rising.glb");
+    auto session = Session::open(*device_, roots_, moving, folder_.path(), diagnostics_);
+    ASSERT_TRUE(session) << session.error().message();
+    session_ = std::move(*session);
+  }
+  [[nodiscard]] float key_height() {
+    const Light& light = *session_->state().rig.find("light");
+    return light.params.vec3(*light.params.schema().find("position")).y;
+  }
+  void set_height(double y) { LUM_EXPECT_OK(session_->set({fmt::format("lights/light/position=0,{},3", y)})); }
+  Sequence sequence(const std::string& pattern) {
+    Shot moving = session_->shot();
+    moving.scene = folder_.file("rising.glb");
+    return {moving, {0, 12, 24}, folder_.file(pattern), {}, false};
+  }
+  /// Frames that were rendered, not those that were there.
+  std::vector<int> rendered(const Sequence& sequence) {
+    std::vector<int> frames;
+    LUM_EXPECT_OK(render_sequence(
+        *device_, roots_, sequence,
+        [&](const FrameDone& done) {
+          if (!done.skipped) frames.push_back(done.frame);
+          return true;
+        },
+        diagnostics_));
+    return frames;
+  }
+};
+
+TEST_F(FramesTest, WhatMovesIsSeenElsewhereAtAnotherFrame) {
+  const Image before = picture();
+  const SceneFrame frame = session_->stage().frame;
+  LUM_EXPECT_OK(session_->go_to(24));
+  EXPECT_NE(picture().data, before.data);
+  EXPECT_EQ(session_->stage().frame.radius, frame.radius);  // parameters mean the same at every frame
+  LUM_EXPECT_OK(session_->go_to(0));
+  EXPECT_EQ(picture().data, before.data);
+}
+
+TEST_F(FramesTest, GoingToAFrameIsUndone) {
+  const std::string start = hash();
+  const Image before = picture();
+  LUM_EXPECT_OK(session_->go_to(24));
+  const Image after = picture();
+  LUM_EXPECT_OK(session_->undo());
+  EXPECT_EQ(hash(), start);
+  EXPECT_EQ(picture().data, before.data);
+  LUM_EXPECT_OK(session_->redo());
+  EXPECT_EQ(picture().data, after.data);
+}
+
+TEST_F(FramesTest, EachFrameKeepsItsPaint) {
+  LUM_EXPECT_OK(session_->paint(light_strokes(), "strokes.json"));
+  LUM_ASSERT_OK(const Target* target, session_->target());
+  const Image painted = target->color;
+  LUM_EXPECT_OK(session_->go_to(12));
+  EXPECT_FALSE(session_->painted());
+  LUM_EXPECT_OK(session_->go_to(0));
+  EXPECT_TRUE(session_->painted());
+  LUM_ASSERT_OK(target, session_->target());
+  EXPECT_EQ(target->color.data, painted.data);
+}
+
+TEST_F(FramesTest, KeyedLightsFollowTheirKeysAndWhatIsChangedAtAFrameIsAKey) {
+  NewLight plain;
+  plain.from_paint = false;
+  LUM_ASSERT_OK([[maybe_unused]] const std::string name, session_->add_light(plain));
+  set_height(1);
+  LUM_ASSERT_OK(const int keyed, session_->set_keys("lights/light/position", KeyInterpolation::kLinear));
+  EXPECT_EQ(keyed, 1);
+  LUM_EXPECT_OK(session_->go_to(10));
+  EXPECT_EQ(key_height(), 1.0F);
+  set_height(5);
+  EXPECT_EQ(key_frames(session_->state().rig, "light"), (std::vector<double>{0, 10}));
+  LUM_EXPECT_OK(session_->go_to(5));
+  EXPECT_EQ(key_height(), 3.0F);
+  LUM_EXPECT_OK(session_->go_to(10));
+  LUM_ASSERT_OK(const int removed, session_->remove_keys("lights/light/*"));
+  EXPECT_EQ(removed, 1);
+  EXPECT_EQ(key_height(), 1.0F);
+  EXPECT_EQ(error_of(session_->remove_keys("lights/light/*")).kind, ErrorKind::kUsage);
+  EXPECT_EQ(error_of(session_->set_keys("style/*", KeyInterpolation::kStep)).kind, ErrorKind::kUsage);
+}
+
+TEST_F(FramesTest, KeysAndFramesAreInTheProject) {
+  NewLight plain;
+  plain.from_paint = false;
+  LUM_ASSERT_OK([[maybe_unused]] const std::string name, session_->add_light(plain));
+  LUM_ASSERT_OK([[maybe_unused]] const int keyed, session_->set_keys("lights/light", KeyInterpolation::kSmooth));
+  LUM_EXPECT_OK(session_->go_to(7));
+  set_height(4);
+  LUM_EXPECT_OK(session_->save_as(folder_.path() / "kept.lum"));
+  const std::string rig = rig_to_toml(session_->state().rig);
+  const Image kept = picture();
+  session_.reset();
+  session_ = open_project("kept.lum");
+  ASSERT_NE(session_, nullptr);
+  EXPECT_EQ(session_->shot().frame, 7.0);
+  EXPECT_EQ(rig_to_toml(session_->state().rig), rig);
+  EXPECT_EQ(picture().data, kept.data);
+}
+
+TEST_F(FramesTest, AnAcceptedSolveIsAKeyAtItsFrame) {
+  LUM_EXPECT_OK(session_->paint(light_strokes(), "strokes.json"));
+  LUM_ASSERT_OK([[maybe_unused]] const std::string name, session_->add_light({}));
+  LUM_EXPECT_OK(session_->go_to(24));
+  LUM_ASSERT_OK([[maybe_unused]] const int keyed, session_->set_keys("lights/light/color", KeyInterpolation::kLinear));
+  LUM_EXPECT_OK(session_->go_to(0));
+  LUM_EXPECT_OK(session_->solve(few_evals(), {}));
+  LUM_EXPECT_OK(session_->accept());
+  EXPECT_EQ(key_frames(session_->state().rig, "light"), (std::vector<double>{0, 24}));
+}
+
+TEST_F(FramesTest, ASequenceIsRenderedOnceAndAgainWhereSomethingIsWrong) {
+  const Sequence all = sequence("f.##.exr");
+  EXPECT_EQ(rendered(all), (std::vector<int>{0, 12, 24}));
+  LUM_ASSERT_OK(const Image first, read_image(folder_.file("f.00.exr")));
+  LUM_ASSERT_OK(const Image last, read_image(folder_.file("f.24.exr")));
+  EXPECT_NE(first.data, last.data);
+  EXPECT_EQ(rendered(all), std::vector<int>());
+  std::filesystem::resize_file(folder_.file("f.12.exr"), 300);
+  EXPECT_EQ(rendered(all), std::vector<int>{12});
+  Sequence other = all;
+  other.shot.set = {"ambient/color=1,1,1"};
+  EXPECT_EQ(rendered(other), (std::vector<int>{0, 12, 24}));
+  EXPECT_EQ(rendered(all), (std::vector<int>{0, 12, 24}));
+}
+
+TEST_F(FramesTest, APngTellsWhatItWasMadeFromToo) {
+  const Sequence all = sequence("f.png");
+  EXPECT_EQ(rendered(all).size(), 3U);
+  EXPECT_TRUE(std::filesystem::exists(folder_.file("f.0012.png")));
+  EXPECT_EQ(rendered(all), std::vector<int>());
+}
+
+TEST(FrameRange, IsWrittenAsFirstLastAndStep) {
+  LUM_ASSERT_OK(const FrameRange range, FrameRange::parse("3-9x3"));
+  EXPECT_EQ(range.frames(), (std::vector<int>{3, 6, 9}));
+  LUM_ASSERT_OK(const FrameRange one, FrameRange::parse("-2"));
+  EXPECT_EQ(one.frames(), std::vector<int>{-2});
+  for (const char* wrong : {"", "a", "3-", "9-3", "1-2x0", "1-2x-1", "1-2y", "0-99999999"}) {
+    EXPECT_FALSE(FrameRange::parse(wrong)) << wrong;
+  }
+}
+
+TEST(FramePath, HasTheNumberForTheSignsOrBeforeTheEnding) {
+  EXPECT_EQ(frame_path("a/b.####.exr", 12), "a/b.0012.exr");
+  EXPECT_EQ(frame_path("a#/b#.png", 123), "a#/b123.png");
+  EXPECT_EQ(frame_path("a/b.png", 7), "a/b.0007.png");
+}
+
+}  // namespace
+}  // namespace luminist
