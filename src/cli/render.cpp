@@ -20,6 +20,7 @@ struct Words {
   bool watch = false;
   std::string frames;
   std::string film;
+  std::string strip;
   bool again = false;
 };
 
@@ -64,6 +65,11 @@ Result<int> render_frames(const Words& words, const Shot& shot, VerbContext& con
   context.console.warn(diagnostics);
   if (!rendered) return rendered.error();
   if (context.signals.stopped() != 0) return 128 + context.signals.stopped();
+  if (!words.strip.empty()) {
+    constexpr int kStripColumn = 480;
+    LUM_TRY_VOID(make_strip(files, kStripColumn, words.strip));
+    context.console.result(words.strip);
+  }
   if (words.film.empty()) return 0;
   LUM_TRY_VOID(make_film(files, shot.fps, words.film));
   context.console.result(words.film);
@@ -105,6 +111,7 @@ Verb declare_render(CLI::App& app) {
                                        "A sequence, as 0-47 or 0-47x2; -o has the number for #### before its "
                                        "ending. Frames that are there, whole and from the same input, stay");
   app.add_option("--film", words->film, "A film of the frames, .mp4, by ffmpeg")->needs(frames);
+  app.add_option("--strip", words->strip, "The frames side by side: .png or .exr")->needs(frames);
   app.add_flag("--again", words->again, "Renders frames also where they are there")->needs(frames);
   app.footer(
       "Examples:\n"

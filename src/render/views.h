@@ -23,8 +23,8 @@ struct View {
 /// whatever searches on a Renderer searches on several views at once: the lights are shared, and each style has its own
 /// parameters, named "<style>_<parameter>".
 ///
-/// The error of target() is the weighted mean of the views' epsilons, each over its own importance. Memory: one picture a view.
-/// The views' engines outlive it. thread: theirs.
+/// The error of target() is the weighted mean of the views' epsilons, each over its own importance. Memory: one picture
+/// a view. The views' engines outlive it. thread: theirs.
 class Views final : public Renderer {
  public:
   /// errors kUsage: pictures of different widths or scenes of different frames; kStyle: names that collide. There is at

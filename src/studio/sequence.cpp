@@ -14,6 +14,7 @@
 #include "image_io/image_io.h"
 #include "params/param_text.h"
 #include "studio/constraint_words.h"
+#include "studio/drawing.h"
 #include "studio/style_reload.h"
 
 namespace luminist {
@@ -146,6 +147,30 @@ Result<void> render_sequence(Device& device, const AssetRoots& roots, const Sequ
     if (watch && !watch(done)) return {};
   }
   return {};
+}
+
+Result<void> make_strip(const std::vector<std::string>& frames, int column_width, const std::string& path) {
+  constexpr int kGap = 2;
+  std::vector<ImageSource> sources;
+  for (const std::string& frame : frames) sources.push_back({frame, {}});
+  std::vector<Image> pictures;
+  Image strip(0, 0, 3);
+  for (Result<Image>& read : read_images(sources)) {
+    LUM_TRY(Image picture, std::move(read));
+    const int width = std::min(column_width, picture.width);
+    const int height = std::max(1, width * picture.height / picture.width);
+    pictures.push_back(width < picture.width ? resized(picture, width, height) : std::move(picture));
+    strip.width += width + (strip.width > 0 ? kGap : 0);
+    strip.height = std::max(strip.height, height);
+  }
+  strip = Image(strip.width, strip.height, 3, 1.0F);
+  Drawing drawing(strip);
+  int x = 0;
+  for (const Image& picture : pictures) {
+    drawing.picture(x, 0, picture);
+    x += picture.width + kGap;
+  }
+  return write_image(path, strip);
 }
 
 Result<void> make_film(const std::vector<std::string>& frames, double fps, const std::string& path) {

@@ -52,6 +52,10 @@ inline constexpr const char* kSignature = "luminist:frame";
 Result<void> render_sequence(Device& device, const AssetRoots& roots, const Sequence& sequence,
                              const std::function<bool(const FrameDone&)>& watch, Diagnostics& diagnostics);
 
+/// Frames that are there side by side, each at most so many pixels wide, two pixels apart. errors those of reading and
+/// writing them.
+Result<void> make_strip(const std::vector<std::string>& frames, int column_width, const std::string& path);
+
 /// A film of frames that are there, by ffmpeg: H.264 in 4:2:0 at the rate of the shot, an even number of pixels each
 /// way. errors kMissing without ffmpeg on the PATH, kChild with what it said.
 Result<void> make_film(const std::vector<std::string>& frames, double fps, const std::string& path);

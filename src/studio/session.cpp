@@ -11,27 +11,6 @@ namespace luminist {
 
 using Json = nlohmann::json;
 
-struct Session::Parts {
-  Device* device;
-  AssetRoots roots;
-  Diagnostics* diagnostics;
-  std::filesystem::path folder;
-  Project project;
-  Shot shot;
-  std::unique_ptr<Stage> stage;
-  ParamState state;
-};
-
-Session::Session(Parts parts)
-    : device_(parts.device),
-      roots_(std::move(parts.roots)),
-      diagnostics_(parts.diagnostics),
-      folder_(std::move(parts.folder)),
-      project_(std::move(parts.project)),
-      shot_(std::move(parts.shot)),
-      stage_(std::move(parts.stage)),
-      state_(std::move(parts.state)) {}
-
 Result<std::unique_ptr<Session>> Session::open(Device& device, const AssetRoots& roots, const Shot& shot,
                                                const std::filesystem::path& folder, Diagnostics& diagnostics) {
   LUM_TRY(auto stage, open_stage(device, roots, shot, folder, diagnostics));
@@ -54,9 +33,19 @@ Result<std::unique_ptr<Session>> Session::open(Device& device, const AssetRoots&
                        {"fps", shot.fps},
                        {"floor", shot.scene_options.floor},
                        {"wall", shot.scene_options.wall}};
-  return std::unique_ptr<Session>(
-      new Session({&device, roots, &diagnostics, folder, Project::start(std::move(document), action.dump()),
-                   std::move(portable), std::move(stage), std::move(state)}));
+  return std::unique_ptr<Session>(new Session({&device,
+                                               roots,
+                                               &diagnostics,
+                                               folder,
+                                               Project::start(std::move(document), action.dump()),
+                                               std::move(portable),
+                                               std::move(stage),
+                                               std::move(state),
+                                               {},
+                                               {},
+                                               {},
+                                               {},
+                                               {}}));
 }
 
 Result<std::unique_ptr<Session>> Session::open_project(Device& device, const AssetRoots& roots,
@@ -66,8 +55,19 @@ Result<std::unique_ptr<Session>> Session::open_project(Device& device, const Ass
   LUM_TRY(Shot shot, read_shot(project.document()));
   LUM_TRY(auto stage, open_stage(device, roots, shot, folder.parent_path(), diagnostics));
   LUM_TRY(ParamState state, read_state(project.document(), stage->types, stage->style, stage->frame));
-  return std::unique_ptr<Session>(new Session({&device, roots, &diagnostics, folder.parent_path(), std::move(project),
-                                               std::move(shot), std::move(stage), std::move(state)}));
+  return std::unique_ptr<Session>(new Session({&device,
+                                               roots,
+                                               &diagnostics,
+                                               folder.parent_path(),
+                                               std::move(project),
+                                               std::move(shot),
+                                               std::move(stage),
+                                               std::move(state),
+                                               {},
+                                               {},
+                                               {},
+                                               {},
+                                               {}}));
 }
 
 Result<const Image*> Session::picture() {

@@ -7,13 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "paint/canvas.h"
 #include "project/paint_document.h"
-#include "project/project.h"
 #include "solve/start_light.h"
 #include "studio/new_light.h"
-#include "studio/solved.h"
-#include "studio/stage.h"
+#include "studio/session_data.h"
 
 namespace luminist {
 
@@ -24,7 +21,7 @@ namespace luminist {
 /// drops the proposal. Painting puts the target beside the picture; the lights change by hand or by a solve.
 ///
 /// thread the device's. Calls that render cost a picture, others little, unless they say so.
-class Session {
+class Session : private SessionData {
  public:
   /// Loads a shot; device and diagnostics outlive the session. Paths are looked for below folder, then the asset roots.
   /// errors those of open_stage() and starting_state().
@@ -129,8 +126,7 @@ class Session {
   Result<void> save_as(const std::filesystem::path& folder) { return project_.save_as(folder); }
 
  private:
-  struct Parts;  ///< what a session is made of
-  explicit Session(Parts parts);
+  explicit Session(SessionData data) : SessionData(std::move(data)) {}
   Result<Canvas*> canvas();
   Result<ShadowPair> shadow_pair(const ParamState& lights);
   Result<StartLight> start_light();
@@ -140,21 +136,6 @@ class Session {
   Result<void> reload();
   void drop_proposal();
   Result<void> step_history(bool back);
-
-  Device* device_;
-  AssetRoots roots_;
-  Diagnostics* diagnostics_;
-  std::filesystem::path folder_;  ///< where the shot's paths are looked for first
-  Project project_;
-  Shot shot_;
-  std::unique_ptr<Stage> stage_;
-  ParamState state_;
-  std::optional<Canvas> canvas_;  ///< empty: to be made from the document when it is needed
-  std::optional<Image> picture_;  ///< empty: to be rendered when it is needed
-  std::optional<SolveSession> solve_;
-  std::optional<ParamState> proposed_;  ///< found elsewhere
-  std::optional<Solved> solved_;
-  bool locks_chosen_ = false;
 };
 
 }  // namespace luminist

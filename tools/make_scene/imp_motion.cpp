@@ -43,7 +43,7 @@ float wave(float turns) {
 float height_at(float t) {
   const float in_hop = std::fmod(2.0F * t, 1.0F);
   const float flight = std::clamp((in_hop - 0.2F) / 0.6F, 0.0F, 1.0F);
-  return 0.06F * 4.0F * flight * (1.0F - flight);
+  return 0.04F * 4.0F * flight * (1.0F - flight);
 }
 
 Track hops() {

@@ -1,0 +1,33 @@
+#pragma once
+// studio/session_data.h -- what a session is made of.
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include "paint/canvas.h"
+#include "project/project.h"
+#include "solve/solve_session.h"
+#include "studio/solved.h"
+#include "studio/stage.h"
+
+namespace luminist {
+
+/// The project is the truth; the rest is made from it, or will be when it is needed.
+struct SessionData {
+  Device* device_;
+  AssetRoots roots_;
+  Diagnostics* diagnostics_;
+  std::filesystem::path folder_;  ///< where the shot's paths are looked for first
+  Project project_;
+  Shot shot_;
+  std::unique_ptr<Stage> stage_;
+  ParamState state_;
+  std::optional<Canvas> canvas_;  ///< empty: to be made from the document when it is needed
+  std::optional<Image> picture_;  ///< empty: to be rendered when it is needed
+  std::optional<SolveSession> solve_;
+  std::optional<ParamState> proposed_;  ///< found elsewhere
+  std::optional<Solved> solved_;
+  bool locks_chosen_ = false;
+};
+
+}  // namespace luminist
