@@ -3,12 +3,14 @@
 layout(std430, binding = 0) readonly buffer Position { uvec4 position[]; };
 layout(std430, binding = 1) readonly buffer Normal { vec4 normal[]; };
 layout(std430, binding = 2) writeonly buffer Visibility { float visibility[]; };
+layout(std430, binding = 3) readonly buffer Proxies { uint has_shadow_mesh[]; };  // [objects]
 
 layout(binding = 0) uniform sampler2DArrayShadow depth_map;  // near / distance along the view's axis
 
 const float kLeastCosine = 0.1;
 const float kPull = 3.0;
 const float kMostPull = 0.15;
+const float kOwnShadowEdge = 0.05;
 const int kMostTaps = 64;
 
 uniform uint sample_count;
@@ -65,9 +67,22 @@ float lit_share(vec3 p, vec3 n) {
   return lit / float(taps);
 }
 
+// What faces away from a light is in its object's own shadow, whatever mesh blocks light in the object's stead.
+float share_before_own_shadow(vec3 p, vec3 n) {
+  vec3 to_light = light_position - p;
+  float cosine = dot(to_light, n) / max(length(to_light), 1e-20);
+  return clamp(1.0 + cosine / kOwnShadowEdge, 0.0, 1.0);
+}
+
 void main() {
   uint index = linear_index();
   if (index >= sample_count) return;
   uvec4 p = position[index];
-  visibility[first + index] = p.w == 0u ? 1.0 : lit_share(uintBitsToFloat(p.xyz), normal[index].xyz);
+  float lit = 1.0;
+  if (p.w != 0u) {
+    vec3 place = uintBitsToFloat(p.xyz);
+    lit = lit_share(place, normal[index].xyz);
+    if (has_shadow_mesh[p.w - 1u] != 0u) lit *= share_before_own_shadow(place, normal[index].xyz);
+  }
+  visibility[first + index] = lit;
 }

@@ -117,10 +117,14 @@ std::size_t SampleVisibility::trace(Column& column, const SampleSet& samples) co
   rays_->occluded(segments, blocked);
   const unsigned char* answer = blocked.data();
   for (std::size_t i = 0; i < samples.pixels.size(); ++i) {
-    if (surface_->object[samples.pixels[i]] == 0) continue;
+    const std::size_t pixel = samples.pixels[i];
+    if (surface_->object[pixel] == 0) continue;
     const auto hits = std::accumulate(answer, answer + rays_a_sample, 0U);
     answer += rays_a_sample;
     column.lit[i] = 1.0F - static_cast<float>(hits) / static_cast<float>(rays_a_sample);
+    if (!rays_->has_shadow_mesh(surface_->object[pixel] - 1)) continue;
+    const Vec3 to_light = glm::normalize(light.position - surface_->position[pixel]);
+    column.lit[i] *= share_before_own_shadow(glm::dot(to_light, surface_->normal[pixel]));
   }
   return segments.size();
 }

@@ -45,6 +45,11 @@ Vec3 shadow_receiver(const ShadowLight& light, const Vec3& position, const Vec3&
 /// visibility = mean over the disc of "nothing between the light and the tap".
 Vec3 shadow_tap(const ShadowLight& light, const Vec3& receiver, const Vec3& normal, const Vec2& disc);
 
+/// How much of the light that reaches a receiver is left if a shadow mesh blocks light in the stead of its object: what
+/// faces away from a light is in the shadow of its own object, whatever the shadow mesh is like there.
+/// cosine between the normal and the way to the light.
+float share_before_own_shadow(float cosine);
+
 /// Whether the map sees the receiver at all; what it does not see is lit.
 bool shadow_covers(const ShadowLight& light, const Vec3& receiver);
 
