@@ -8,6 +8,7 @@
 #include "base/check.h"
 #include "prep/decimate.h"
 #include "prep/proxy.h"
+#include "prep/split_sides.h"
 #include "prep/subdivide.h"
 #include "prep/triangle_tree.h"
 
@@ -22,9 +23,11 @@ constexpr float kForth = 0.5F, kBack = -0.53F;
 constexpr int kLevels = 2;                         // of subdivision, fewer if
 constexpr std::size_t kMostTriangles = 2'000'000;  // there would be more
 constexpr int kReferenceSteps = 4;                 // of smoothing the normals by which sides are told apart
-constexpr float kSameSide = 0.5F;                  // cosine between normals of neighbours that are smoothed together
-constexpr double kStepsOfAll = 0.25, kMostSteps = 64.0;  // of averaging what is lent, so that no facet shows
-constexpr float kReach = 4.0F;  // sides of the decimated proxy, at least a share of the mesh's radius
+constexpr int kNormalSteps = 4;                    // of averaging a proxy's normals where it is not subdivided
+constexpr float kAnySide = -1.0F;
+constexpr float kSameSide = 0.5F;     // cosine between normals of neighbours that are smoothed together
+constexpr float kLongestSide = 0.5F;  // of the mesh, in sides of the decimated proxy: normals bend within it
+constexpr float kReach = 4.0F;        // sides of the decimated proxy, at least a share of the mesh's radius
 constexpr float kLeastReach = 0.1F;
 constexpr float kLeastAlike = 0.2F;    // of a normal and one that is lent
 constexpr float kLeastFacing = 0.05F;  // cosine between a triangle and the sum of its normals
@@ -140,33 +143,33 @@ Mesh smooth_decimated(const Mesh& mesh, double share) {
   return proxy;
 }
 
-Mesh without_facets(Mesh mesh) {
-  int levels = kLevels;
-  for (std::size_t count = mesh.triangles.size() << (2U * kLevels); levels > 0 && count > kMostTriangles; count /= 4) {
-    --levels;
-  }
-  // A surface that is no manifold keeps its facets.
-  Result<Mesh> smoother = subdivide_loop(mesh, levels);
-  return smoother ? std::move(*smoother) : std::move(mesh);
-}
-
-/// Averages unit normals with those of neighbours on the same side, in steps.
-void average(const Neighbourhood& around, int steps, std::vector<Vec3>& normals) {
+/// Averages unit normals with those of neighbours that are no farther off than the cosine, in steps.
+void average(const Mesh& mesh, float least_cosine, int steps, std::vector<Vec3>& normals) {
+  const Neighbourhood around(mesh.positions.size(), mesh.triangles);
   for (int i = 0; i < steps; ++i) {
     const std::vector<Vec3> before = normals;
     tbb::parallel_for(std::size_t{0}, normals.size(), [&](std::size_t v) {
       Vec3 sum = before[v];
       for (const std::uint32_t other : around.of(v)) {
-        if (glm::dot(before[v], before[other]) > kSameSide) sum += before[other];
+        if (glm::dot(before[v], before[other]) >= least_cosine) sum += before[other];
       }
       normals[v] = unit_or(sum, before[v]);
     });
   }
 }
 
-/// Steps of averaging that reach about half as far as a side of the proxy is long.
-int steps_within(double share) {
-  return static_cast<int>(std::clamp(kStepsOfAll / share, 0.0, kMostSteps));
+Mesh without_facets(Mesh mesh) {
+  int levels = kLevels;
+  for (std::size_t count = mesh.triangles.size() << (2U * kLevels); levels > 0 && count > kMostTriangles; count /= 4) {
+    --levels;
+  }
+  // A surface that is no manifold keeps its facets.
+  Result<Mesh> subdivided = subdivide_loop(mesh, levels);
+  Mesh smoother = subdivided ? std::move(*subdivided) : std::move(mesh);
+  std::vector<Vec3> normals = smoother.normals;
+  average(smoother, kAnySide, kNormalSteps << static_cast<unsigned>(levels), normals);
+  smoother.normals = std::move(normals);
+  return smoother;
 }
 
 /// Turns normals back towards what they were until no triangle that faced along its normals faces against them: what
@@ -203,12 +206,12 @@ LentNormals lend_normals(Mesh& mesh, double share) {
   Mesh proxy = smooth_decimated(mesh, share);
   LentNormals result;
   result.triangles = proxy.triangles.size();
+  split_long_sides(mesh, kLongestSide * proxy.mean_side(), kMostTriangles);
   const float reach = std::max(kReach * proxy.mean_side(), kLeastReach * mesh.bounds().radius());
   proxy = without_facets(std::move(proxy));
   const TriangleTree tree(proxy);
-  const Neighbourhood around(mesh.positions.size(), mesh.triangles);
   std::vector<Vec3> reference = mesh.normals;
-  average(around, kReferenceSteps, reference);
+  average(mesh, kSameSide, kReferenceSteps, reference);
   std::vector<Vec3> lent = mesh.normals;
   std::vector<unsigned char> kept(lent.size(), 0);
   tbb::parallel_for(std::size_t{0}, lent.size(), [&](std::size_t v) {
@@ -218,7 +221,6 @@ LentNormals lend_normals(Mesh& mesh, double share) {
     kept[v] = near ? 0 : 1;
     if (near) lent[v] = unit_or(normal_at(proxy, *near), lent[v]);
   });
-  average(around, steps_within(share), lent);
   keep_fronts(mesh, lent);
   for (std::size_t v = 0; v < lent.size(); ++v) {
     const double turn = std::acos(std::clamp(static_cast<double>(glm::dot(lent[v], mesh.normals[v])), -1.0, 1.0));

@@ -1,5 +1,7 @@
 #include "prep/shadow_caster.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "base/check.h"
@@ -10,6 +12,8 @@ namespace luminist {
 namespace {
 
 constexpr double kLeastHole = 0.01;  // of a piece's area
+constexpr float kSlackOfSides = 0.5F;
+constexpr float kMostSlack = 0.05F;  // of the radius
 
 /// Of every piece, how much its triangles face along the mesh's normals: below zero it is wound the other way.
 std::vector<double> agreements(const Mesh& mesh, const WeldedMesh& surface, const SurfaceSides& sides) {
@@ -49,7 +53,12 @@ ShadowCaster shadow_caster(const Mesh& mesh) {
     const bool closed = hole[piece] <= kLeastHole * sides.piece_areas[piece];
     (closed ? caster.closed : caster.open).push_back({a, b, c});
   }
+  caster.slack = std::min(kSlackOfSides * mesh.mean_side(), kMostSlack * mesh.bounds().radius());
   return caster;
+}
+
+float world_slack(const ShadowCaster& caster, const Mat4& world_from_object) {
+  return caster.slack * std::cbrt(std::abs(glm::determinant(Mat3(world_from_object))));
 }
 
 }  // namespace luminist

@@ -19,7 +19,13 @@ struct ShadowCaster {
   std::vector<Vec3> positions;
   std::vector<Triangle> closed;  ///< of closed pieces; counter-clockwise seen from where their normals point
   std::vector<Triangle> open;    ///< of the others
+  /// How far off the surface that is seen it may be, in the mesh's units, above 0 if it has triangles: half a side of
+  /// its triangles in the mean, at most a twentieth of its radius.
+  float slack = 0.0F;
 };
+
+/// The same in the world, for an object that is placed there.
+float world_slack(const ShadowCaster& caster, const Mat4& world_from_object);
 
 /// The mesh is repaired first. A piece whose borders are so short that what they enclose is below a hundredth of its
 /// area is closed: scans have holes where they stood. cost that of repair(), about 3 us a triangle.

@@ -98,14 +98,22 @@ MeshRange append_wound(const Triangles& triangles, GLint base_vertex, Lists& lis
   return range;
 }
 
-/// The closed and the open triangles of a shadow mesh.
-std::array<MeshRange, 2> append_caster(const Mesh& mesh, Lists& lists) {
-  const ShadowCaster caster = shadow_caster(mesh);
+/// A shadow mesh in the common buffers.
+struct CasterRanges {
+  MeshRange closed;
+  MeshRange open;
+  ShadowCaster caster;
+};
+
+CasterRanges append_caster(const Mesh& mesh, Lists& lists) {
+  CasterRanges ranges;
+  ranges.caster = shadow_caster(mesh);
   const auto base_vertex = static_cast<GLint>(lists.positions.size());
-  lists.positions.insert(lists.positions.end(), caster.positions.begin(), caster.positions.end());
+  lists.positions.insert(lists.positions.end(), ranges.caster.positions.begin(), ranges.caster.positions.end());
   lists.attributes.resize(lists.positions.size());
-  const MeshRange closed = append_wound(caster.closed, base_vertex, lists);
-  return {closed, append_wound(caster.open, base_vertex, lists)};
+  ranges.closed = append_wound(ranges.caster.closed, base_vertex, lists);
+  ranges.open = append_wound(ranges.caster.open, base_vertex, lists);
+  return ranges;
 }
 
 MeshDraw draw_of(const Scene& scene, std::size_t index, const MeshRange& range, bool leaving) {
@@ -119,28 +127,36 @@ MeshDraw draw_of(const Scene& scene, std::size_t index, const MeshRange& range, 
           leaving};
 }
 
-/// What an object shows, and what blocks light in its stead.
-void add_draws(const Scene& scene, bool strokes, Lists& lists, std::vector<MeshDraw>& seen,
-               std::vector<MeshDraw>& blocking) {
+struct Draws {
+  std::vector<MeshDraw> seen;
+  std::vector<MeshDraw> blocking;
+  std::vector<float> slack;  ///< [objects]
+};
+
+/// What objects show, and what blocks light in their stead.
+Draws append_objects(const Scene& scene, bool strokes, Lists& lists) {
+  Draws draws;
   std::map<int, MeshRange> shown;
-  std::map<int, std::array<MeshRange, 2>> casters;
+  std::map<int, CasterRanges> casters;
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const Object& object = scene.objects[i];
     const auto [range, is_new] = shown.try_emplace(object.mesh);
     if (is_new) range->second = append_mesh(scene, object.mesh, strokes, lists);
-    seen.push_back(draw_of(scene, i, range->second, false));
+    draws.seen.push_back(draw_of(scene, i, range->second, false));
+    draws.slack.push_back(0.0F);
     if (object.shadow_mesh < 0) {
-      blocking.push_back(seen.back());
+      draws.blocking.push_back(draws.seen.back());
       continue;
     }
     const auto [caster, is_first] = casters.try_emplace(object.shadow_mesh);
-    if (is_first) {
-      caster->second = append_caster(scene.meshes[static_cast<std::size_t>(object.shadow_mesh)], lists);
-    }
-    blocking.push_back(draw_of(scene, i, caster->second[0], true));
-    blocking.push_back(draw_of(scene, i, caster->second[1], false));
+    CasterRanges& ranges = caster->second;
+    if (is_first) ranges = append_caster(scene.meshes[static_cast<std::size_t>(object.shadow_mesh)], lists);
+    draws.blocking.push_back(draw_of(scene, i, ranges.closed, true));
+    draws.blocking.push_back(draw_of(scene, i, ranges.open, false));
+    draws.slack.back() = world_slack(ranges.caster, object.world_from_object);
   }
-  std::erase_if(blocking, [](const MeshDraw& draw) { return draw.index_count == 0; });
+  std::erase_if(draws.blocking, [](const MeshDraw& draw) { return draw.index_count == 0; });
+  return draws;
 }
 
 }  // namespace
@@ -154,15 +170,15 @@ Mat3 normal_matrix(const Mat3& linear) {
 Result<MeshBuffers> MeshBuffers::create(Device& device, const Scene& scene, bool strokes) {
   Lists lists;
   MeshBuffers meshes;
-  add_draws(scene, strokes, lists, meshes.draws_, meshes.shadow_draws_);
+  Draws draws = append_objects(scene, strokes, lists);
+  meshes.draws_ = std::move(draws.seen);
+  meshes.shadow_draws_ = std::move(draws.blocking);
   if (lists.positions.size() > std::numeric_limits<GLint>::max()) {
     return Error{ErrorKind::kLimit, "the scene has too many vertices for the graphics device", "", "", ""};
   }
 
   meshes.bounds_ = scene.bounds(true);
   meshes.shadow_bounds_ = scene.shadow_bounds();
-  std::vector<std::uint32_t> has_shadow_mesh;
-  for (const Object& object : scene.objects) has_shadow_mesh.push_back(object.shadow_mesh >= 0 ? 1 : 0);
 
   const auto vertex_buffer = [&device](const auto& values, const char* label) {
     return GlBuffer::create(device, BufferUse::kVertex, std::span(values), label);
@@ -171,8 +187,8 @@ Result<MeshBuffers> MeshBuffers::create(Device& device, const Scene& scene, bool
   LUM_TRY(meshes.attributes_, vertex_buffer(std::as_const(lists.attributes), "vertex attributes"));
   LUM_TRY(meshes.indices_, vertex_buffer(std::as_const(lists.indices), "triangles"));
 
-  LUM_TRY(meshes.has_shadow_mesh_,
-          GlBuffer::create(device, BufferUse::kStorage, std::span(std::as_const(has_shadow_mesh)), "shadow meshes"));
+  LUM_TRY(meshes.shadow_slack_,
+          GlBuffer::create(device, BufferUse::kStorage, std::span(std::as_const(draws.slack)), "shadow meshes"));
 
   meshes.positions_only_ = GlVertexArray::create(device, "positions");
   meshes.full_ = GlVertexArray::create(device, "vertices");

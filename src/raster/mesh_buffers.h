@@ -41,8 +41,8 @@ class MeshBuffers {
   [[nodiscard]] const std::vector<MeshDraw>& shadow_draws() const { return shadow_draws_; }
   [[nodiscard]] const Box& bounds() const { return bounds_; }                ///< world, with backdrops; of what is seen
   [[nodiscard]] const Box& shadow_bounds() const { return shadow_bounds_; }  ///< of what blocks light
-  /// uint [objects]: 1 where another mesh than its own blocks light in the object's stead.
-  [[nodiscard]] const GlBuffer& has_shadow_mesh() const { return has_shadow_mesh_; }
+  /// float [objects]: world_slack() of the mesh that blocks light in the object's stead, 0 if its own does.
+  [[nodiscard]] const GlBuffer& shadow_slack() const { return shadow_slack_; }
 
   /// Inputs 0: position vec3, 1: normal vec3, 2: uv vec2, 3: tangent vec4 (zero without tangents),
   /// 4: stroke vec2, the mesh's units (zero without strokes).
@@ -59,7 +59,7 @@ class MeshBuffers {
   GlBuffer indices_;
   GlVertexArray full_;
   GlVertexArray positions_only_;
-  GlBuffer has_shadow_mesh_;
+  GlBuffer shadow_slack_;
   std::vector<MeshDraw> draws_;
   std::vector<MeshDraw> shadow_draws_;
   Box bounds_;

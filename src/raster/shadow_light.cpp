@@ -102,11 +102,11 @@ float receiver_offset(const ShadowLight& light, float distance, float cosine) {
   return distance * light.texel() * (0.75F + 0.75F * sine);
 }
 
-Vec3 shadow_receiver(const ShadowLight& light, const Vec3& position, const Vec3& normal) {
+Vec3 shadow_receiver(const ShadowLight& light, const Vec3& position, const Vec3& normal, float slack) {
   const Vec3 to_light = light.position - position;
   const float distance = glm::length(to_light);
   const float cosine = distance > 0.0F ? glm::dot(to_light, normal) / distance : 1.0F;
-  return position + normal * receiver_offset(light, distance, cosine);
+  return position + normal * (receiver_offset(light, distance, cosine) + slack);
 }
 
 Vec3 shadow_tap(const ShadowLight& light, const Vec3& receiver, const Vec3& normal, const Vec2& disc) {

@@ -154,7 +154,7 @@ void ShadowMaps::look_up(const DeepFramebuffer& deep, const Map& map, std::size_
   deep.position().bind_storage(0);
   deep.normal().bind_storage(1);
   visibility_.bind_storage(2);
-  meshes_->has_shadow_mesh().bind_storage(3);
+  meshes_->shadow_slack().bind_storage(3);
   lookup_program_.dispatch(*device_, deep.sample_count());
   lookups_ += static_cast<double>(deep.sample_count());
 }

@@ -74,7 +74,7 @@ class RaySceneImpl {
     // Robust: rays do not slip through the edges that triangles share.
     rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
     for (const Object& object : scene.objects) {
-      has_shadow_mesh_.push_back(object.shadow_mesh >= 0);
+      shadow_slack_.push_back(0.0F);
       const Mesh& mesh = scene.meshes[static_cast<std::size_t>(object.blocking_mesh())];
       const Mat4& place = object.world_from_object;
       if (object.shadow_mesh < 0) {
@@ -82,6 +82,7 @@ class RaySceneImpl {
         continue;
       }
       ShadowCaster caster = shadow_caster(mesh);
+      shadow_slack_.back() = world_slack(caster, place);
       if (glm::determinant(Mat3(place)) < 0.0F) {
         for (auto& [a, b, c] : caster.closed) std::swap(b, c);
       }
@@ -92,8 +93,8 @@ class RaySceneImpl {
     return rtcGetDeviceError(device_) == RTC_ERROR_NONE;
   }
 
-  [[nodiscard]] bool has_shadow_mesh(std::size_t object) const {
-    return object < has_shadow_mesh_.size() && has_shadow_mesh_[object];
+  [[nodiscard]] float shadow_slack(std::size_t object) const {
+    return object < shadow_slack_.size() ? shadow_slack_[object] : 0.0F;
   }
 
   /// Tests up to kPacket segments.
@@ -120,7 +121,7 @@ class RaySceneImpl {
  private:
   RTCDevice device_;
   RTCScene scene_;
-  std::vector<bool> has_shadow_mesh_;  ///< [objects]
+  std::vector<float> shadow_slack_;  ///< [objects]
 };
 
 RayScene::RayScene(std::unique_ptr<RaySceneImpl> impl) : impl_(std::move(impl)) {}
@@ -134,8 +135,8 @@ Result<RayScene> RayScene::create(const Scene& scene) {
   return RayScene(std::move(impl));
 }
 
-bool RayScene::has_shadow_mesh(std::size_t object) const {
-  return impl_->has_shadow_mesh(object);
+float RayScene::shadow_slack(std::size_t object) const {
+  return impl_->shadow_slack(object);
 }
 
 void RayScene::occluded(std::span<const Segment> segments, std::span<unsigned char> blocked) const {

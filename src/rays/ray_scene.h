@@ -31,8 +31,8 @@ class RayScene {
   /// Non-finite segments are not blocked. cost about 30 ns a segment and core on 70k triangles.
   void occluded(std::span<const Segment> segments, std::span<unsigned char> blocked) const;
 
-  /// Whether another mesh than its own blocks light in an object's stead.
-  [[nodiscard]] bool has_shadow_mesh(std::size_t object) const;
+  /// world_slack() of the mesh that blocks light in an object's stead; 0 if its own does.
+  [[nodiscard]] float shadow_slack(std::size_t object) const;
 
  private:
   explicit RayScene(std::unique_ptr<RaySceneImpl> impl);

@@ -31,8 +31,8 @@ ShadowLight cube(const Vec3& position, float softness = 0.008F) {
 
 /// A scene on the device with its deep framebuffer and its maps.
 struct Stage {
-  Stage(Device& device, const Scene& scene, const Camera& camera, int width, int height)
-      : meshes(MeshBuffers::create(device, scene).value()),
+  Stage(Device& device, const Scene& scene, const Camera& camera, int width, int height, bool strokes = false)
+      : meshes(MeshBuffers::create(device, scene, strokes).value()),
         deep(DeepFramebuffer::create(device, AssetRoots::standard(), meshes, scene, camera, width, height).value()),
         maps(ShadowMaps::create(device, AssetRoots::standard(), meshes).value()) {}
 
@@ -222,7 +222,8 @@ TEST_F(ShadowMapsTest, ShadowsAcrossCubeFacesAgreeWithRays) {
   const SurfaceBuffer& surface = stage.deep.surface();
   double sum = 0.0;
   for (std::size_t i = 0; i < surface.pixels(); ++i) {
-    const Vec3 receiver = shadow_receiver(light, surface.position[i], surface.normal[i]);
+    const float slack = rays.shadow_slack(surface.object[i] - 1);
+    const Vec3 receiver = shadow_receiver(light, surface.position[i], surface.normal[i], slack);
     std::vector<Segment> segments;
     for (int k = 0; k < 64; ++k) {
       segments.push_back({light.position, shadow_tap(light, receiver, surface.normal[i], vogel_disc(k, 64))});
@@ -231,7 +232,7 @@ TEST_F(ShadowMapsTest, ShadowsAcrossCubeFacesAgreeWithRays) {
     rays.occluded(segments, blocked);
     const auto free = static_cast<float>(std::count(blocked.begin(), blocked.end(), 0));
     float traced = free / 64.0F;
-    if (rays.has_shadow_mesh(surface.object[i] - 1)) {
+    if (slack > 0.0F) {
       const Vec3 to_light = glm::normalize(light.position - surface.position[i]);
       traced *= share_before_own_shadow(glm::dot(to_light, surface.normal[i]));
     }
@@ -277,6 +278,14 @@ TEST_F(ShadowMapsTest, ShadowIsThatOfTheShadowMesh) {
       EXPECT_GT(dark, 200U);
     }
   }
+}
+
+TEST_F(ShadowMapsTest, ShadowIsThatOfTheShadowMeshWhereMeshesAreUnwrapped) {
+  const Camera camera = looking(Vec3(0.5F, 6, 5), Vec3(0.5F, 0, 0));
+  const ShadowLight light = spot(Vec3(-2, 4, 1), Vec3(0, 0.5F, 0));
+  Stage plain(*device_, box_over_floor(0.3F, 0.6F), camera, 80, 60);
+  Stage unwrapped(*device_, box_over_floor(0.3F, 0.6F), camera, 80, 60, true);
+  EXPECT_EQ(unwrapped.visibility(light), plain.visibility(light));
 }
 
 /// A ball whose shadow is cast by a coarse one.

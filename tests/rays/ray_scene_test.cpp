@@ -76,8 +76,8 @@ TEST(RayScene, ShadowMeshBlocksWhatGoesThroughItAndNotWhatEndsInIt) {
     scene.meshes.push_back(cube_mesh(0.5F));
     scene.objects[0].shadow_mesh = 1;
     LUM_ASSERT_OK(const RayScene rays, RayScene::create(scene));
-    EXPECT_TRUE(rays.has_shadow_mesh(0));
-    EXPECT_FALSE(rays.has_shadow_mesh(1));
+    EXPECT_GT(rays.shadow_slack(0), 0.0F);
+    EXPECT_EQ(rays.shadow_slack(1), 0.0F) << "there is no such object";
     EXPECT_EQ(blocked(rays, {0.1F, 0.2F, 3.0F}, {0.2F, 0.1F, -3.0F}), 1) << "through the cube";
     EXPECT_EQ(blocked(rays, {0.1F, 0.2F, 3.0F}, {0.2F, 0.1F, 0.4F}), 0) << "into the cube: its object is lit";
     EXPECT_EQ(blocked(rays, {0.1F, 0.2F, 0.2F}, {0.2F, 0.1F, 3.0F}), 1) << "a light in the cube lights nothing outside";
