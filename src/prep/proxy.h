@@ -32,9 +32,10 @@ struct LentNormals {
 };
 
 /// Gives the vertices of a mesh the normals of make_shading_proxy() at the nearest place that faces their way, so that
-/// thin parts keep their two sides. The surface stays what it is, but triangles that are large beside those of the proxy
-/// are split (new vertices come behind the old ones), so that normals can bend within them. Where a normal would face the back of a triangle, it is
-/// turned back towards what it was. cost that of decimate(), and about 3 us a vertex.
+/// thin parts keep their two sides. The surface stays what it is, but triangles that are large beside those of the
+/// proxy are split (new vertices come behind the old ones), so that normals can bend within them. Where a normal would
+/// face the back of a triangle, it is turned back towards what it was. cost that of decimate(), and about 3 us a
+/// vertex.
 LentNormals lend_normals(Mesh& mesh, double share);
 
 }  // namespace luminist

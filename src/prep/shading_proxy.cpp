@@ -24,8 +24,7 @@ constexpr int kLevels = 2;                         // of subdivision, fewer if
 constexpr std::size_t kMostTriangles = 2'000'000;  // there would be more
 constexpr int kReferenceSteps = 4;                 // of smoothing the normals by which sides are told apart
 constexpr int kNormalSteps = 4;                    // of averaging a proxy's normals where it is not subdivided
-constexpr float kAnySide = -1.0F;
-constexpr float kSameSide = 0.5F;     // cosine between normals of neighbours that are smoothed together
+constexpr float kSameSide = 0.5F;                  // cosine between normals of neighbours that are smoothed together
 constexpr float kLongestSide = 0.5F;  // of the mesh, in sides of the decimated proxy: normals bend within it
 constexpr float kReach = 4.0F;        // sides of the decimated proxy, at least a share of the mesh's radius
 constexpr float kLeastReach = 0.1F;
@@ -143,15 +142,15 @@ Mesh smooth_decimated(const Mesh& mesh, double share) {
   return proxy;
 }
 
-/// Averages unit normals with those of neighbours that are no farther off than the cosine, in steps.
-void average(const Mesh& mesh, float least_cosine, int steps, std::vector<Vec3>& normals) {
+/// Averages unit normals with those of neighbours on the same side, in steps.
+void average(const Mesh& mesh, int steps, std::vector<Vec3>& normals) {
   const Neighbourhood around(mesh.positions.size(), mesh.triangles);
   for (int i = 0; i < steps; ++i) {
     const std::vector<Vec3> before = normals;
     tbb::parallel_for(std::size_t{0}, normals.size(), [&](std::size_t v) {
       Vec3 sum = before[v];
       for (const std::uint32_t other : around.of(v)) {
-        if (glm::dot(before[v], before[other]) >= least_cosine) sum += before[other];
+        if (glm::dot(before[v], before[other]) > kSameSide) sum += before[other];
       }
       normals[v] = unit_or(sum, before[v]);
     });
@@ -167,7 +166,7 @@ Mesh without_facets(Mesh mesh) {
   Result<Mesh> subdivided = subdivide_loop(mesh, levels);
   Mesh smoother = subdivided ? std::move(*subdivided) : std::move(mesh);
   std::vector<Vec3> normals = smoother.normals;
-  average(smoother, kAnySide, kNormalSteps << static_cast<unsigned>(levels), normals);
+  average(smoother, kNormalSteps << static_cast<unsigned>(levels), normals);
   smoother.normals = std::move(normals);
   return smoother;
 }
@@ -211,7 +210,7 @@ LentNormals lend_normals(Mesh& mesh, double share) {
   proxy = without_facets(std::move(proxy));
   const TriangleTree tree(proxy);
   std::vector<Vec3> reference = mesh.normals;
-  average(mesh, kSameSide, kReferenceSteps, reference);
+  average(mesh, kReferenceSteps, reference);
   std::vector<Vec3> lent = mesh.normals;
   std::vector<unsigned char> kept(lent.size(), 0);
   tbb::parallel_for(std::size_t{0}, lent.size(), [&](std::size_t v) {
