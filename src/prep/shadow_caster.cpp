@@ -12,8 +12,8 @@ namespace luminist {
 namespace {
 
 constexpr double kLeastHole = 0.01;  // of a piece's area
-constexpr float kSlackOfSides = 0.5F;
-constexpr float kMostSlack = 0.05F;  // of the radius
+constexpr float kSlackOfSides = 0.05F;
+constexpr float kMostSlack = 0.005F;  // of the radius
 
 /// Of every piece, how much its triangles face along the mesh's normals: below zero it is wound the other way.
 std::vector<double> agreements(const Mesh& mesh, const WeldedMesh& surface, const SurfaceSides& sides) {

@@ -19,8 +19,9 @@ struct ShadowCaster {
   std::vector<Vec3> positions;
   std::vector<Triangle> closed;  ///< of closed pieces; counter-clockwise seen from where their normals point
   std::vector<Triangle> open;    ///< of the others
-  /// How far off the surface that is seen it may be, in the mesh's units, above 0 if it has triangles: half a side of
-  /// its triangles in the mean, at most a twentieth of its radius.
+  /// How far what is seen is kept off it, in the mesh's units, above 0 if it has triangles: a twentieth of a side of
+  /// its triangles in the mean, at most 1/200 of its radius, because shadows of others on the object begin that much
+  /// later.
   float slack = 0.0F;
 };
 
