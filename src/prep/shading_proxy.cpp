@@ -25,6 +25,7 @@ constexpr std::size_t kMostTriangles = 2'000'000;  // there would be more
 constexpr int kReferenceSteps = 4;                 // of smoothing the normals by which sides are told apart
 constexpr int kNormalSteps = 4;                    // of averaging a proxy's normals where it is not subdivided
 constexpr float kSameSide = 0.5F;                  // cosine between normals of neighbours that are smoothed together
+constexpr float kOtherSide = 0.1F;    // cosine between normals of neighbours, below which they are on different sides
 constexpr float kLongestSide = 0.5F;  // of the mesh, in sides of the decimated proxy: normals bend within it
 constexpr float kReach = 4.0F;        // sides of the decimated proxy, at least a share of the mesh's radius
 constexpr float kLeastReach = 0.1F;
@@ -60,12 +61,6 @@ class Neighbourhood {
   [[nodiscard]] std::span<const std::uint32_t> of(std::size_t v) const {
     return std::span(neighbours_).subspan(first_[v], first_[v + 1] - first_[v]);
   }
-  /// The mean of a value over a vertex's neighbours, or its own if it has none.
-  [[nodiscard]] Vec3 mean(const std::vector<Vec3>& values, std::size_t v) const {
-    Vec3 sum(0.0F);
-    for (const std::uint32_t other : of(v)) sum += values[other];
-    return of(v).empty() ? values[v] : sum / static_cast<float>(of(v).size());
-  }
   [[nodiscard]] bool on_border(std::size_t v) const { return border_[v]; }
 
  private:
@@ -74,13 +69,21 @@ class Neighbourhood {
   std::vector<bool> border_;
 };
 
+/// Vertices do not follow neighbours on another side: thin parts stay as thick as they are.
 void smooth(Mesh& mesh) {
   const Neighbourhood around(mesh.positions.size(), mesh.triangles);
   for (int i = 0; i < kSmoothings; ++i) {
     for (const float step : {kForth, kBack}) {
       const std::vector<Vec3> before = mesh.positions;
       for (std::size_t v = 0; v < before.size(); ++v) {
-        if (!around.on_border(v)) mesh.positions[v] += step * (around.mean(before, v) - before[v]);
+        Vec3 sum(0.0F);
+        float count = 0.0F;
+        for (const std::uint32_t other : around.of(v)) {
+          if (glm::dot(mesh.normals[v], mesh.normals[other]) < kOtherSide) continue;
+          sum += before[other];
+          count += 1.0F;
+        }
+        if (count > 0.0F && !around.on_border(v)) mesh.positions[v] += step * (sum / count - before[v]);
       }
     }
   }

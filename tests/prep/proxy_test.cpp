@@ -103,13 +103,19 @@ TEST(ShadingProxy, LeavesTheTwoSidesOfAThinPlateApart) {
   for (const double share : {0.02, 0.1, 0.5}) {
     Mesh mesh = own;
     lend_normals(mesh, share);
+    double sum = 0.0;
+    double count = 0.0;
     for (std::size_t v = 0; v < own.positions.size(); ++v) {
       if (std::abs(own.normals[v].z) < 0.5F) continue;
       const float along = mesh.normals[v].z * own.normals[v].z;
       const Vec3& p = own.positions[v];
       const bool inner = std::max(std::abs(p.x), std::abs(p.y)) < 0.5F;
-      EXPECT_GT(along, inner ? 0.98F : 0.0F) << share << " at " << p.x << "," << p.y;
+      // The rim is rounded, and a few slivers of the proxy reach from it into the plate.
+      EXPECT_GT(along, inner ? 0.5F : 0.0F) << share << " at " << p.x << "," << p.y;
+      sum += inner ? along : 0.0;
+      count += inner ? 1.0 : 0.0;
     }
+    EXPECT_GT(sum / count, 0.99) << share;
   }
 }
 
