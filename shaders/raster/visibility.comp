@@ -3,12 +3,14 @@
 layout(std430, binding = 0) readonly buffer Position { uvec4 position[]; };
 layout(std430, binding = 1) readonly buffer Normal { vec4 normal[]; };
 layout(std430, binding = 2) writeonly buffer Visibility { float visibility[]; };
+layout(std430, binding = 3) readonly buffer Slack { float slack[]; };  // [objects] of shadow meshes, or 0
 
 layout(binding = 0) uniform sampler2DArrayShadow depth_map;  // near / distance along the view's axis
 
 const float kLeastCosine = 0.1;
 const float kPull = 3.0;
 const float kMostPull = 0.15;
+const float kOwnShadowEdge = 0.05;
 const int kMostTaps = 64;
 
 uniform uint sample_count;
@@ -31,12 +33,12 @@ int view_towards(vec3 way) {
   return way.z > 0.0 ? 4 : 5;
 }
 
-float lit_share(vec3 p, vec3 n) {
+float lit_share(vec3 p, vec3 n, float shadow_slack) {
   vec3 to_light = light_position - p;
   float distance_there = length(to_light);
   float cosine = dot(to_light, n) / max(distance_there, 1e-20);
   float sine = sqrt(max(0.0, 1.0 - cosine * cosine));
-  vec3 way = p + n * (distance_there * texel * (0.75 + 0.75 * sine)) - light_position;
+  vec3 way = p + n * (distance_there * texel * (0.75 + 0.75 * sine) + shadow_slack) - light_position;
 
   int layer = view_towards(way);
   mat3 view = views[layer];
@@ -65,9 +67,23 @@ float lit_share(vec3 p, vec3 n) {
   return lit / float(taps);
 }
 
+// What faces away from a light is in its object's own shadow, whatever mesh blocks light in the object's stead.
+float share_before_own_shadow(vec3 p, vec3 n) {
+  vec3 to_light = light_position - p;
+  float cosine = dot(to_light, n) / max(length(to_light), 1e-20);
+  return clamp(1.0 + cosine / kOwnShadowEdge, 0.0, 1.0);
+}
+
 void main() {
   uint index = linear_index();
   if (index >= sample_count) return;
   uvec4 p = position[index];
-  visibility[first + index] = p.w == 0u ? 1.0 : lit_share(uintBitsToFloat(p.xyz), normal[index].xyz);
+  float lit = 1.0;
+  if (p.w != 0u) {
+    vec3 place = uintBitsToFloat(p.xyz);
+    float shadow_slack = slack[p.w - 1u];
+    lit = lit_share(place, normal[index].xyz, shadow_slack);
+    if (shadow_slack > 0.0) lit *= share_before_own_shadow(place, normal[index].xyz);
+  }
+  visibility[first + index] = lit;
 }

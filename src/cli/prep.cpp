@@ -1,4 +1,5 @@
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <map>
 #include <memory>
@@ -7,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "cli/atlas_picture.h"
+#include "cli/proxy_words.h"
 #include "cli/shot_words.h"
 #include "image_io/image_io.h"
 #include "prep/repair.h"
@@ -19,6 +21,7 @@ struct Words {
   std::string scene;
   std::string output;
   std::string drawing;
+  ProxyWords proxies;
   bool unwrap = false;
   bool json = false;
 };
@@ -102,10 +105,18 @@ std::string numbered(const std::string& path, std::size_t mesh, std::size_t mesh
   return fmt::format("{}_{}.png", path.substr(0, path.size() - 4), mesh);
 }
 
-/// The name of the first object that shows a mesh: meshes have none.
+bool is_seen(const Scene& scene, std::size_t mesh) {
+  return std::ranges::any_of(scene.objects,
+                             [&](const Object& object) { return static_cast<std::size_t>(object.mesh) == mesh; });
+}
+
+/// The name of the first object that shows a mesh, or whose shadow it casts: meshes have none.
 std::string name_of(const Scene& scene, std::size_t mesh) {
   for (const Object& object : scene.objects) {
     if (static_cast<std::size_t>(object.mesh) == mesh) return object.name;
+  }
+  for (const Object& object : scene.objects) {
+    if (object.shadow_mesh == static_cast<int>(mesh)) return "shadow of " + object.name;
   }
   return fmt::format("mesh {}", mesh);
 }
@@ -146,7 +157,9 @@ Result<int> prep(const Words& words, VerbContext& context) {
   auto scene = load_scene(path, {}, diagnostics);
   context.console.warn(diagnostics);
   if (!scene) return std::move(scene).error();
-  for (std::size_t i = 0; i < scene->meshes.size(); ++i) {
+  LUM_TRY(const ProxyShares shares, proxy_shares(words.proxies, *scene));
+  const std::size_t meshes = scene->meshes.size();
+  for (std::size_t i = 0; i < meshes; ++i) {
     const std::string name = name_of(*scene, i);
     context.console.progress(name);
     const Repaired repaired = repair(scene->meshes[i]);
@@ -154,7 +167,9 @@ Result<int> prep(const Words& words, VerbContext& context) {
     const std::size_t triangles = repaired.surface.triangles.size();
     Json json = to_json(name, triangles, repaired.report);
     std::string text = line_of(name, triangles, repaired.report);
-    if (words.unwrap || !words.drawing.empty()) LUM_TRY_VOID(unwrap_mesh(words, i, *scene, json, text));
+    const bool unwrapped = words.unwrap || !words.drawing.empty();
+    if (unwrapped && is_seen(*scene, i)) LUM_TRY_VOID(unwrap_mesh(words, i, *scene, json, text));
+    add_proxies(shares, i, *scene, json, text);
     context.console.result(words.json ? json.dump() : text);
   }
   if (words.output.empty()) return 0;
@@ -175,13 +190,15 @@ Verb declare_prep(CLI::App& app) {
   app.add_option("--draw", words->drawing,
                  "Picture of the atlas, .png; of several meshes _0.png, _1.png...; implies "
                  "--unwrap");
+  declare_proxies(app, words->proxies);
   app.add_flag("--json", words->json, "Prints one object for each mesh");
   app.footer(
       "Welds, orients, drops triangles without area and those that are there twice, and splits what is no manifold.\n"
       "Examples:\n"
       "  luminist prep scan.ply\n"
       "  luminist prep scan.ply -o scan.glb --json\n"
-      "  luminist prep scan.ply --unwrap --draw atlas.png -o scan.glb");
+      "  luminist prep scan.ply --unwrap --draw atlas.png -o scan.glb\n"
+      "  luminist prep shot.glb --shadow-proxy 'hair*=0.02' --shading-proxy 'face=0.05' -o shot_lit.glb");
   return [words](VerbContext& context) { return prep(*words, context); };
 }
 

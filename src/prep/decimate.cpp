@@ -5,6 +5,7 @@
 #include <OpenMesh/Tools/Decimater/DecimaterT.hh>
 #include <OpenMesh/Tools/Decimater/ModNormalFlippingT.hh>
 #include <OpenMesh/Tools/Decimater/ModQuadricT.hh>
+#include <cmath>
 
 namespace luminist {
 
@@ -31,6 +32,13 @@ Mesh decimate(const Mesh& mesh, std::size_t triangle_budget) {
     half_edges.garbage_collection();
   }
   return triangles_of(half_edges);
+}
+
+Mesh decimate_to(const Mesh& mesh, double share) {
+  LUM_CHECK(share > 0.0 && share <= 1.0, "a share of the triangles");
+  constexpr double kLeastTriangles = 4.0;
+  const double budget = std::max(std::round(share * static_cast<double>(mesh.triangles.size())), kLeastTriangles);
+  return decimate(mesh, static_cast<std::size_t>(budget));
 }
 
 }  // namespace luminist

@@ -12,4 +12,7 @@ namespace luminist {
 /// smooth. cost O(n log n), about 3 us a triangle. source Garland and Heckbert 1997 (OpenMesh).
 Mesh decimate(const Mesh& mesh, std::size_t triangle_budget);
 
+/// The same down to a share, in (0,1], of the triangles; at least 4, which enclose a volume.
+Mesh decimate_to(const Mesh& mesh, double share);
+
 }  // namespace luminist

@@ -1,11 +1,14 @@
 #include "raster/mesh_buffers.h"
 
+#include <algorithm>
 #include <limits>
+#include <map>
 #include <span>
 #include <utility>
 
 #include "base/check.h"
 #include "base/files.h"
+#include "prep/shadow_caster.h"
 #include "prep/stroke_mesh.h"
 
 namespace luminist {
@@ -86,6 +89,76 @@ MeshRange append_mesh(const Scene& scene, int mesh_index, bool strokes, Lists& l
   return range;
 }
 
+using Triangles = std::vector<std::array<std::uint32_t, 3>>;
+
+/// Triangles as they are wound, of positions that begin at base_vertex.
+MeshRange append_wound(const Triangles& triangles, GLint base_vertex, Lists& lists) {
+  MeshRange range{base_vertex, lists.indices.size(), 3 * triangles.size()};
+  for (const auto& t : triangles) lists.indices.insert(lists.indices.end(), t.begin(), t.end());
+  return range;
+}
+
+/// A shadow mesh in the common buffers.
+struct CasterRanges {
+  MeshRange closed;
+  MeshRange open;
+  ShadowCaster caster;
+};
+
+CasterRanges append_caster(const Mesh& mesh, Lists& lists) {
+  CasterRanges ranges;
+  ranges.caster = shadow_caster(mesh);
+  const auto base_vertex = static_cast<GLint>(lists.positions.size());
+  lists.positions.insert(lists.positions.end(), ranges.caster.positions.begin(), ranges.caster.positions.end());
+  lists.attributes.resize(lists.positions.size());
+  ranges.closed = append_wound(ranges.caster.closed, base_vertex, lists);
+  ranges.open = append_wound(ranges.caster.open, base_vertex, lists);
+  return ranges;
+}
+
+MeshDraw draw_of(const Scene& scene, std::size_t index, const MeshRange& range, bool leaving) {
+  const Object& object = scene.objects[index];
+  return {static_cast<std::uint32_t>(index),
+          static_cast<std::uint32_t>(object.material),
+          static_cast<GLsizei>(range.index_count),
+          range.first_index * sizeof(std::uint32_t),
+          range.base_vertex,
+          object.world_from_object,
+          leaving};
+}
+
+struct Draws {
+  std::vector<MeshDraw> seen;
+  std::vector<MeshDraw> blocking;
+  std::vector<float> slack;  ///< [objects]
+};
+
+/// What objects show, and what blocks light in their stead.
+Draws append_objects(const Scene& scene, bool strokes, Lists& lists) {
+  Draws draws;
+  std::map<int, MeshRange> shown;
+  std::map<int, CasterRanges> casters;
+  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+    const Object& object = scene.objects[i];
+    const auto [range, is_new] = shown.try_emplace(object.mesh);
+    if (is_new) range->second = append_mesh(scene, object.mesh, strokes, lists);
+    draws.seen.push_back(draw_of(scene, i, range->second, false));
+    draws.slack.push_back(0.0F);
+    if (object.shadow_mesh < 0) {
+      draws.blocking.push_back(draws.seen.back());
+      continue;
+    }
+    const auto [caster, is_first] = casters.try_emplace(object.shadow_mesh);
+    CasterRanges& ranges = caster->second;
+    if (is_first) ranges = append_caster(scene.meshes[static_cast<std::size_t>(object.shadow_mesh)], lists);
+    draws.blocking.push_back(draw_of(scene, i, ranges.closed, true));
+    draws.blocking.push_back(draw_of(scene, i, ranges.open, false));
+    draws.slack.back() = world_slack(ranges.caster, object.world_from_object);
+  }
+  std::erase_if(draws.blocking, [](const MeshDraw& draw) { return draw.index_count == 0; });
+  return draws;
+}
+
 }  // namespace
 
 Mat3 normal_matrix(const Mat3& linear) {
@@ -96,23 +169,16 @@ Mat3 normal_matrix(const Mat3& linear) {
 
 Result<MeshBuffers> MeshBuffers::create(Device& device, const Scene& scene, bool strokes) {
   Lists lists;
-  std::vector<MeshRange> ranges;
-  for (int i = 0; i < static_cast<int>(scene.meshes.size()); ++i) {
-    ranges.push_back(append_mesh(scene, i, strokes, lists));
-  }
+  MeshBuffers meshes;
+  Draws draws = append_objects(scene, strokes, lists);
+  meshes.draws_ = std::move(draws.seen);
+  meshes.shadow_draws_ = std::move(draws.blocking);
   if (lists.positions.size() > std::numeric_limits<GLint>::max()) {
     return Error{ErrorKind::kLimit, "the scene has too many vertices for the graphics device", "", "", ""};
   }
 
-  MeshBuffers meshes;
   meshes.bounds_ = scene.bounds(true);
-  for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-    const Object& object = scene.objects[i];
-    const MeshRange& range = ranges[static_cast<std::size_t>(object.mesh)];
-    meshes.draws_.push_back({static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(object.material),
-                             static_cast<GLsizei>(range.index_count), range.first_index * sizeof(std::uint32_t),
-                             range.base_vertex, object.world_from_object});
-  }
+  meshes.shadow_bounds_ = scene.shadow_bounds();
 
   const auto vertex_buffer = [&device](const auto& values, const char* label) {
     return GlBuffer::create(device, BufferUse::kVertex, std::span(values), label);
@@ -120,6 +186,9 @@ Result<MeshBuffers> MeshBuffers::create(Device& device, const Scene& scene, bool
   LUM_TRY(meshes.positions_, vertex_buffer(std::as_const(lists.positions), "vertex positions"));
   LUM_TRY(meshes.attributes_, vertex_buffer(std::as_const(lists.attributes), "vertex attributes"));
   LUM_TRY(meshes.indices_, vertex_buffer(std::as_const(lists.indices), "triangles"));
+
+  LUM_TRY(meshes.shadow_slack_,
+          GlBuffer::create(device, BufferUse::kStorage, std::span(std::as_const(draws.slack)), "shadow meshes"));
 
   meshes.positions_only_ = GlVertexArray::create(device, "positions");
   meshes.full_ = GlVertexArray::create(device, "vertices");

@@ -107,7 +107,8 @@ std::size_t SampleVisibility::trace(Column& column, const SampleSet& samples) co
     const std::size_t pixel = samples.pixels[i];
     if (surface_->object[pixel] == 0) continue;
     const Vec3& normal = surface_->normal[pixel];
-    const Vec3 receiver = shadow_receiver(light, surface_->position[pixel], normal);
+    const Vec3 receiver =
+        shadow_receiver(light, surface_->position[pixel], normal, rays_->shadow_slack(surface_->object[pixel] - 1));
     for (std::size_t j = 0; j < rays_a_sample; ++j) {
       const Vec2& disc = discs_[i * rays_a_sample + j];
       segments.push_back({light.position, shadow_tap(light, receiver, normal, disc)});
@@ -117,10 +118,14 @@ std::size_t SampleVisibility::trace(Column& column, const SampleSet& samples) co
   rays_->occluded(segments, blocked);
   const unsigned char* answer = blocked.data();
   for (std::size_t i = 0; i < samples.pixels.size(); ++i) {
-    if (surface_->object[samples.pixels[i]] == 0) continue;
+    const std::size_t pixel = samples.pixels[i];
+    if (surface_->object[pixel] == 0) continue;
     const auto hits = std::accumulate(answer, answer + rays_a_sample, 0U);
     answer += rays_a_sample;
     column.lit[i] = 1.0F - static_cast<float>(hits) / static_cast<float>(rays_a_sample);
+    if (rays_->shadow_slack(surface_->object[pixel] - 1) == 0.0F) continue;
+    const Vec3 to_light = glm::normalize(light.position - surface_->position[pixel]);
+    column.lit[i] *= share_before_own_shadow(glm::dot(to_light, surface_->normal[pixel]));
   }
   return segments.size();
 }

@@ -23,6 +23,8 @@ constexpr float kLeastCosine = 0.1F;
 /// real lamp, for what is nearer to the receiver than the filter is wide.
 constexpr float kPull = 3.0F;
 constexpr float kMostPull = 0.15F;  // of the distance to the light
+/// The cosine over which an object's own shadow sets in where it turns away from the light.
+constexpr float kOwnShadowEdge = 0.05F;
 
 /// Half the side of a square map that covers the light's shape whichever way it is turned: a superellipse of degree 4
 /// with half axes w, h reaches (w^4 + h^4)^(1/4) from its centre.
@@ -100,11 +102,11 @@ float receiver_offset(const ShadowLight& light, float distance, float cosine) {
   return distance * light.texel() * (0.75F + 0.75F * sine);
 }
 
-Vec3 shadow_receiver(const ShadowLight& light, const Vec3& position, const Vec3& normal) {
+Vec3 shadow_receiver(const ShadowLight& light, const Vec3& position, const Vec3& normal, float slack) {
   const Vec3 to_light = light.position - position;
   const float distance = glm::length(to_light);
   const float cosine = distance > 0.0F ? glm::dot(to_light, normal) / distance : 1.0F;
-  return position + normal * receiver_offset(light, distance, cosine);
+  return position + normal * (receiver_offset(light, distance, cosine) + slack);
 }
 
 Vec3 shadow_tap(const ShadowLight& light, const Vec3& receiver, const Vec3& normal, const Vec2& disc) {
@@ -120,6 +122,10 @@ Vec3 shadow_tap(const ShadowLight& light, const Vec3& receiver, const Vec3& norm
   const float pull = std::min(kPull * light.softness * glm::length(disc), kMostPull);
   const float reach = distance * (1.0F - pull) / (1.0F + std::max(-slope, 0.0F));
   return light.position + reach * (axis + across);
+}
+
+float share_before_own_shadow(float cosine) {
+  return std::clamp(1.0F + cosine / kOwnShadowEdge, 0.0F, 1.0F);
 }
 
 bool shadow_covers(const ShadowLight& light, const Vec3& receiver) {

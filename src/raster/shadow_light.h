@@ -36,14 +36,20 @@ std::vector<ShadowLight> shadow_lights(const LightRig& rig, const LightTypes& ty
 /// and the way to the light.
 float receiver_offset(const ShadowLight& light, float distance, float cosine);
 
-/// position pushed along normal (unit) by receiver_offset().
-Vec3 shadow_receiver(const ShadowLight& light, const Vec3& position, const Vec3& normal);
+/// position pushed along normal (unit) by receiver_offset(), and by the slack of the mesh that blocks light in the
+/// stead of its object, if one does: that mesh's facets must not show where light grazes the object.
+Vec3 shadow_receiver(const ShadowLight& light, const Vec3& position, const Vec3& normal, float slack = 0.0F);
 
 /// A tap of the filter: the point that must be seen from the light. `receiver` from shadow_receiver(), `disc` in the
 /// unit disc. The taps lie in a cone of tangent softness around the way from the light, as far as the receiver but
 /// nowhere under its tangent plane, and the outer ones a little nearer to the light.
 /// visibility = mean over the disc of "nothing between the light and the tap".
 Vec3 shadow_tap(const ShadowLight& light, const Vec3& receiver, const Vec3& normal, const Vec2& disc);
+
+/// How much of the light that reaches a receiver is left if a shadow mesh blocks light in the stead of its object: what
+/// faces away from a light is in the shadow of its own object, whatever the shadow mesh is like there.
+/// cosine between the normal and the way to the light.
+float share_before_own_shadow(float cosine);
 
 /// Whether the map sees the receiver at all; what it does not see is lit.
 bool shadow_covers(const ShadowLight& light, const Vec3& receiver);

@@ -78,7 +78,7 @@ Result<ShadowMaps::Map> ShadowMaps::draw_map(const ShadowLight& light) {
   const std::vector<Mat3> views = views_of(light);
   Map map;
   map.light = light;
-  map.near_plane = near_plane_of(light, meshes_->bounds());
+  map.near_plane = near_plane_of(light, meshes_->shadow_bounds());
   LUM_TRY(map.depth, GlTexture::create_2d_array(*device_, GL_DEPTH_COMPONENT32F, light.size_px, light.size_px,
                                                 static_cast<int>(views.size()), "shadow map"));
   map.depth.set(GL_TEXTURE_MIN_FILTER, GL_LINEAR);
@@ -94,7 +94,7 @@ Result<ShadowMaps::Map> ShadowMaps::draw_map(const ShadowLight& light) {
   glEnable(GL_DEPTH_TEST);
   glDepthFunc(GL_GREATER);
   glDepthMask(GL_TRUE);
-  glDisable(GL_CULL_FACE);
+  glFrontFace(GL_CCW);
   glDisable(GL_SCISSOR_TEST);
   meshes_->bind_positions();
   draw_program_.use();
@@ -105,11 +105,17 @@ Result<ShadowMaps::Map> ShadowMaps::draw_map(const ShadowLight& light) {
     const float infinitely_far = 0.0F;
     glClearNamedFramebufferfv(framebuffer_.name(), GL_DEPTH, 0, &infinitely_far);
     const Mat4 clip = clip_from_world(light, views[layer], map.near_plane);
-    for (const MeshDraw& draw : meshes_->draws()) {
+    for (const MeshDraw& draw : meshes_->shadow_draws()) {
       draw_program_.set("clip_from_object", clip * draw.world_from_object);
+      (draw.leaving ? glEnable : glDisable)(GL_CULL_FACE);
+      // Right, up and axis of a view are right-handed where OpenGL's are not: the backs of triangles wind as its
+      // fronts.
+      glCullFace(glm::determinant(Mat3(draw.world_from_object)) < 0.0F ? GL_FRONT : GL_BACK);
       meshes_->draw(draw);
     }
   }
+  glDisable(GL_CULL_FACE);
+  glCullFace(GL_BACK);
   glDepthFunc(GL_LESS);
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
   ++maps_drawn_;
@@ -148,6 +154,7 @@ void ShadowMaps::look_up(const DeepFramebuffer& deep, const Map& map, std::size_
   deep.position().bind_storage(0);
   deep.normal().bind_storage(1);
   visibility_.bind_storage(2);
+  meshes_->shadow_slack().bind_storage(3);
   lookup_program_.dispatch(*device_, deep.sample_count());
   lookups_ += static_cast<double>(deep.sample_count());
 }

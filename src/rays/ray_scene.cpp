@@ -6,8 +6,10 @@
 #include <cstdint>
 #include <cstring>
 #include <utility>
+#include <vector>
 
 #include "base/check.h"
+#include "prep/shadow_caster.h"
 
 namespace luminist {
 namespace {
@@ -19,20 +21,35 @@ Error out_of_memory() {
   return {ErrorKind::kLimit, "no memory for the ray index of the scene", "", "", "use a smaller scene"};
 }
 
-/// The triangles of one object in world space. Indices are checked by whoever made the mesh.
-bool attach_object(RTCDevice device, RTCScene scene, const Mesh& mesh, const Mat4& world_from_object) {
+using Triangles = std::vector<std::array<std::uint32_t, 3>>;
+
+/// Lets rays pass through the triangles whose front they meet.
+void pass_fronts(const RTCFilterFunctionNArguments* args) {
+  for (unsigned i = 0; i < args->N; ++i) {
+    const float along = RTCRayN_dir_x(args->ray, args->N, i) * RTCHitN_Ng_x(args->hit, args->N, i) +
+                        RTCRayN_dir_y(args->ray, args->N, i) * RTCHitN_Ng_y(args->hit, args->N, i) +
+                        RTCRayN_dir_z(args->ray, args->N, i) * RTCHitN_Ng_z(args->hit, args->N, i);
+    if (!(along > 0.0F)) args->valid[i] = 0;
+  }
+}
+
+/// Triangles in world space. Indices are checked by whoever made them. leaving: only what leaves them is blocked.
+bool attach(RTCDevice device, RTCScene scene, const std::vector<Vec3>& positions, const Triangles& triangles,
+            const Mat4& world_from_object, bool leaving) {
+  if (triangles.empty()) return true;
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
   auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                                               3 * sizeof(float), mesh.positions.size()));
+                                                               3 * sizeof(float), positions.size()));
   auto* indices = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
-      geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), mesh.triangles.size()));
+      geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), triangles.size()));
   const bool complete = vertices != nullptr && indices != nullptr;
   if (complete) {
-    for (std::size_t i = 0; i < mesh.positions.size(); ++i) {
-      const Vec3 p(world_from_object * Vec4(mesh.positions[i], 1.0F));
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+      const Vec3 p(world_from_object * Vec4(positions[i], 1.0F));
       vertices[3 * i] = p.x, vertices[3 * i + 1] = p.y, vertices[3 * i + 2] = p.z;
     }
-    std::memcpy(indices, mesh.triangles.data(), mesh.triangles.size() * sizeof(mesh.triangles[0]));
+    std::memcpy(indices, triangles.data(), triangles.size() * sizeof(triangles[0]));
+    if (leaving) rtcSetGeometryOccludedFilterFunction(geometry, pass_fronts);
     rtcCommitGeometry(geometry);
     rtcAttachGeometry(scene, geometry);
   }
@@ -57,12 +74,27 @@ class RaySceneImpl {
     // Robust: rays do not slip through the edges that triangles share.
     rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
     for (const Object& object : scene.objects) {
-      const Mesh& mesh = scene.meshes[static_cast<std::size_t>(object.mesh)];
-      if (mesh.triangles.empty()) continue;
-      if (!attach_object(device_, scene_, mesh, object.world_from_object)) return false;
+      shadow_slack_.push_back(0.0F);
+      const Mesh& mesh = scene.meshes[static_cast<std::size_t>(object.blocking_mesh())];
+      const Mat4& place = object.world_from_object;
+      if (object.shadow_mesh < 0) {
+        if (!attach(device_, scene_, mesh.positions, mesh.triangles, place, false)) return false;
+        continue;
+      }
+      ShadowCaster caster = shadow_caster(mesh);
+      shadow_slack_.back() = world_slack(caster, place);
+      if (glm::determinant(Mat3(place)) < 0.0F) {
+        for (auto& [a, b, c] : caster.closed) std::swap(b, c);
+      }
+      if (!attach(device_, scene_, caster.positions, caster.closed, place, true)) return false;
+      if (!attach(device_, scene_, caster.positions, caster.open, place, false)) return false;
     }
     rtcCommitScene(scene_);
     return rtcGetDeviceError(device_) == RTC_ERROR_NONE;
+  }
+
+  [[nodiscard]] float shadow_slack(std::size_t object) const {
+    return object < shadow_slack_.size() ? shadow_slack_[object] : 0.0F;
   }
 
   /// Tests up to kPacket segments.
@@ -89,6 +121,7 @@ class RaySceneImpl {
  private:
   RTCDevice device_;
   RTCScene scene_;
+  std::vector<float> shadow_slack_;  ///< [objects]
 };
 
 RayScene::RayScene(std::unique_ptr<RaySceneImpl> impl) : impl_(std::move(impl)) {}
@@ -100,6 +133,10 @@ Result<RayScene> RayScene::create(const Scene& scene) {
   auto impl = std::make_unique<RaySceneImpl>();
   if (!impl->build(scene)) return out_of_memory();
   return RayScene(std::move(impl));
+}
+
+float RayScene::shadow_slack(std::size_t object) const {
+  return impl_->shadow_slack(object);
 }
 
 void RayScene::occluded(std::span<const Segment> segments, std::span<unsigned char> blocked) const {

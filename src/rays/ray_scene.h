@@ -16,7 +16,8 @@ struct Segment {
   Vec3 to;
 };
 
-/// The triangles of a scene, indexed. Copies what it needs. Movable. thread any, const calls are concurrent.
+/// The triangles of a scene that block light, indexed; those of shadow meshes as prep/shadow_caster.h says, for light
+/// that comes from `from`. Copies what it needs. Movable. thread any, const calls are concurrent.
 class RaySceneImpl;
 class RayScene {
  public:
@@ -29,6 +30,9 @@ class RayScene {
   /// blocked [segments.size()] := 1 where something lies between, else 0. Same input, same bits.
   /// Non-finite segments are not blocked. cost about 30 ns a segment and core on 70k triangles.
   void occluded(std::span<const Segment> segments, std::span<unsigned char> blocked) const;
+
+  /// world_slack() of the mesh that blocks light in an object's stead; 0 if its own does.
+  [[nodiscard]] float shadow_slack(std::size_t object) const;
 
  private:
   explicit RayScene(std::unique_ptr<RaySceneImpl> impl);

@@ -62,6 +62,8 @@ class GltfReader {
   Result<Node> local_frame(int index) const;
   Result<void> add_objects(const tinygltf::Node& node, int place, const Mat4& world_from_node);
   Result<int> mesh_index(int mesh, std::size_t primitive);
+  /// What extras.luminist.shadow_mesh of a node names, or -1.
+  Result<int> shadow_mesh(const tinygltf::Node& node);
   Result<std::optional<Mesh>> read_primitive(const tinygltf::Primitive& primitive, const std::string& field);
   Result<void> read_attributes(const tinygltf::Primitive& primitive, const std::string& field, Mesh& mesh) const;
   void add_camera(const tinygltf::Node& node, int place, const Mat4& world_from_node);
@@ -74,6 +76,7 @@ class GltfReader {
   Scene scene_;
   std::vector<int> place_of_;  ///< of each glTF node among the scene's; -1: not met yet
   std::map<std::pair<int, std::size_t>, int> mesh_of_primitive_;  ///< -1: nothing to show
+  std::map<int, int> shadow_mesh_of_;                             ///< of a glTF mesh of several primitives, joined
   int default_material_ = -1;
 };
 
@@ -170,6 +173,7 @@ Result<void> GltfReader::add_objects(const tinygltf::Node& node, int place, cons
   if (!inside(node.mesh, model_->meshes.size()))
     return bad("there is no such mesh", fmt::format("meshes[{}]", node.mesh));
   const tinygltf::Mesh& mesh = model_->meshes[static_cast<std::size_t>(node.mesh)];
+  LUM_TRY(const int shadow, shadow_mesh(node));
   for (std::size_t i = 0; i < mesh.primitives.size(); ++i) {
     LUM_TRY(const int index, mesh_index(node.mesh, i));
     if (index < 0) continue;
@@ -182,6 +186,7 @@ Result<void> GltfReader::add_objects(const tinygltf::Node& node, int place, cons
     object.mount.node = place;
     object.backdrop =
         node.extras.Has("backdrop") && node.extras.Get("backdrop").IsBool() && node.extras.Get("backdrop").Get<bool>();
+    object.shadow_mesh = shadow;
     scene_.objects.push_back(std::move(object));
   }
   return {};
@@ -197,6 +202,44 @@ Result<int> GltfReader::mesh_index(int mesh, std::size_t primitive) {
     entry->second = static_cast<int>(scene_.meshes.size());
     scene_.meshes.push_back(std::move(*made));
   }
+  return entry->second;
+}
+
+/// Positions, normals and triangles of b behind those of a: all that blocks light.
+void join(const Mesh& b, Mesh& a) {
+  const auto first = static_cast<std::uint32_t>(a.positions.size());
+  const bool normals = a.normals.size() == a.positions.size() && b.normals.size() == b.positions.size();
+  a.positions.insert(a.positions.end(), b.positions.begin(), b.positions.end());
+  a.normals.insert(a.normals.end(), b.normals.begin(), b.normals.end());
+  if (!normals) a.normals.clear();
+  // An index that points to nothing must not point into the other mesh now.
+  constexpr std::uint32_t kNothing = 0xffffffffU;
+  for (const auto& t : b.triangles) {
+    std::array<std::uint32_t, 3> moved;
+    for (std::size_t k = 0; k < 3; ++k) moved[k] = t[k] < b.positions.size() ? first + t[k] : kNothing;
+    a.triangles.push_back(moved);
+  }
+}
+
+Result<int> GltfReader::shadow_mesh(const tinygltf::Node& node) {
+  if (!node.extras.Has("luminist") || !node.extras.Get("luminist").Has("shadow_mesh")) return -1;
+  const tinygltf::Value& reference = node.extras.Get("luminist").Get("shadow_mesh");
+  const int mesh = reference.IsInt() ? reference.GetNumberAsInt() : -1;
+  if (!inside(mesh, model_->meshes.size())) {
+    warn(fmt::format("node \"{}\" names a shadow mesh that is not there; its own mesh casts its shadow", node.name));
+    return -1;
+  }
+  const std::size_t primitives = model_->meshes[static_cast<std::size_t>(mesh)].primitives.size();
+  if (primitives == 1) return mesh_index(mesh, 0);
+  const auto [entry, is_new] = shadow_mesh_of_.try_emplace(mesh, -1);
+  if (!is_new) return entry->second;
+  Mesh joined;
+  for (std::size_t i = 0; i < primitives; ++i) {
+    LUM_TRY(const int part, mesh_index(mesh, i));
+    if (part >= 0) join(scene_.meshes[static_cast<std::size_t>(part)], joined);
+  }
+  entry->second = static_cast<int>(scene_.meshes.size());
+  scene_.meshes.push_back(std::move(joined));
   return entry->second;
 }
 

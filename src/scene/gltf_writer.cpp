@@ -16,6 +16,8 @@
 namespace luminist {
 namespace {
 
+constexpr int kNoMaterial = -1;  // as glTF has it
+
 /// Fills a tinygltf::Model whose one buffer becomes the binary chunk. Everything is added in the scene's order, so that
 /// equal scenes give equal bytes.
 class GltfWriter {
@@ -241,10 +243,15 @@ void GltfWriter::add_tracks() {
 void GltfWriter::add_objects() {
   for (const Object& object : scene_->objects) {
     const int mesh = mesh_index(object.mesh, object.material);
-    tinygltf::Node& node =
-        model_.nodes[static_cast<std::size_t>(add_node(object.name, object.world_from_object, object.mount))];
-    node.mesh = mesh;
-    if (object.backdrop) node.extras = tinygltf::Value(tinygltf::Value::Object{{"backdrop", tinygltf::Value(true)}});
+    const int index = add_node(object.name, object.world_from_object, object.mount);
+    model_.nodes[static_cast<std::size_t>(index)].mesh = mesh;
+    tinygltf::Value::Object extras;
+    if (object.backdrop) extras["backdrop"] = tinygltf::Value(true);
+    if (object.shadow_mesh >= 0) {
+      const tinygltf::Value shadow(mesh_index(object.shadow_mesh, kNoMaterial));
+      extras["luminist"] = tinygltf::Value(tinygltf::Value::Object{{"shadow_mesh", shadow}});
+    }
+    if (!extras.empty()) model_.nodes[static_cast<std::size_t>(index)].extras = tinygltf::Value(extras);
   }
 }
 

@@ -155,6 +155,14 @@ Box Mesh::bounds() const {
   return box;
 }
 
+float Mesh::mean_side() const {
+  double sum = 0.0;
+  for (const auto& t : triangles) {
+    for (std::size_t k = 0; k < 3; ++k) sum += glm::distance(positions[t[k]], positions[t[(k + 1) % 3]]);
+  }
+  return triangles.empty() ? 0.0F : static_cast<float>(sum / (3.0 * static_cast<double>(triangles.size())));
+}
+
 void compute_normals(Mesh& mesh, double crease_angle) {
   const std::vector<DVec3> faces = face_normals(mesh);
   const std::vector<std::uint32_t> welded = places_of(mesh.positions);

@@ -19,6 +19,8 @@ struct Mesh {
   std::vector<std::array<std::uint32_t, 3>> triangles;
 
   [[nodiscard]] Box bounds() const;
+  /// The length of a triangle's side in the mean; 0 without triangles.
+  [[nodiscard]] float mean_side() const;
 };
 
 /// For every position a number that those at the same place share: equal up to about a millionth of the size of all,

@@ -5,13 +5,15 @@
 namespace luminist {
 namespace {
 
+void extend(Box& box, const Mesh& mesh, const Mat4& world_from_object) {
+  for (const Vec3& p : mesh.positions) box.extend(Vec3(world_from_object * Vec4(p, 1.0F)));
+}
+
 Box bounds_of(const Scene& scene, bool backdrops, bool others) {
   Box box;
   for (const Object& object : scene.objects) {
     if (!(object.backdrop ? backdrops : others)) continue;
-    for (const Vec3& p : scene.meshes[static_cast<std::size_t>(object.mesh)].positions) {
-      box.extend(Vec3(object.world_from_object * Vec4(p, 1.0F)));
-    }
+    extend(box, scene.meshes[static_cast<std::size_t>(object.mesh)], object.world_from_object);
   }
   return box;
 }
@@ -31,6 +33,14 @@ Mat4 PunctualLight::world_from_light() const {
 Box Scene::bounds(bool with_backdrop) const {
   const Box box = bounds_of(*this, with_backdrop, true);
   return box.empty() ? bounds_of(*this, true, false) : box;
+}
+
+Box Scene::shadow_bounds() const {
+  Box box;
+  for (const Object& object : objects) {
+    extend(box, meshes[static_cast<std::size_t>(object.blocking_mesh())], object.world_from_object);
+  }
+  return box;
 }
 
 SceneFrame Scene::frame() const {

@@ -21,6 +21,9 @@ struct Object {
   Mat4 world_from_object{1.0F};
   bool backdrop = false;  ///< an added floor or wall: not part of the scene's frame
   Mount mount = {};
+  int shadow_mesh = -1;   ///< index of the mesh that blocks light in its stead; -1: its own
+
+  [[nodiscard]] int blocking_mesh() const { return shadow_mesh >= 0 ? shadow_mesh : mesh; }
 };
 
 /// A pinhole looking along -Z of its own frame, Y up.
@@ -66,8 +69,10 @@ struct Scene {
   Animation animation;
   std::optional<SceneFrame> rest_frame;  ///< of a scene that was posed
 
-  /// World bounds of the objects; without backdrops unless asked, or unless there is nothing else.
+  /// World bounds of what is seen of the objects; without backdrops unless asked, or unless there is nothing else.
   [[nodiscard]] Box bounds(bool with_backdrop = false) const;
+  /// World bounds of what blocks light, with backdrops.
+  [[nodiscard]] Box shadow_bounds() const;
   [[nodiscard]] SceneFrame frame() const;
   [[nodiscard]] std::size_t triangle_count() const;
   [[nodiscard]] const Camera* find_camera(const std::string& name) const;

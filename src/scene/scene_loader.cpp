@@ -48,25 +48,44 @@ void make_names_unique(Scene& scene) {
 std::vector<std::string> mesh_labels(const Scene& scene) {
   std::vector<std::string> labels(scene.meshes.size(), "mesh");
   for (const Object& object : scene.objects) {
+    if (object.shadow_mesh < 0) continue;
+    labels[static_cast<std::size_t>(object.shadow_mesh)] = fmt::format("the shadow mesh of \"{}\"", object.name);
+  }
+  for (const Object& object : scene.objects) {
     labels[static_cast<std::size_t>(object.mesh)] = fmt::format("\"{}\"", object.name);
   }
   return labels;
 }
 
-/// Drops the objects that lost all their faces, and the meshes that nothing shows any more.
+/// A shadow mesh without a face is no wish to have no shadow: it came to that by faults.
+void replace_empty_shadow_meshes(Scene& scene, const std::string& path, Diagnostics& diagnostics) {
+  for (Object& object : scene.objects) {
+    if (object.shadow_mesh < 0 || !scene.meshes[static_cast<std::size_t>(object.shadow_mesh)].triangles.empty())
+      continue;
+    object.shadow_mesh = -1;
+    diagnostics.warn(
+        path, fmt::format("\"{}\": no face of its shadow mesh is left; its own mesh casts its shadow", object.name));
+  }
+}
+
+/// Drops the objects that lost all their faces, and the meshes that nothing needs any more.
 void drop_empty(Scene& scene) {
   std::erase_if(scene.objects, [&](const Object& object) {
     return scene.meshes[static_cast<std::size_t>(object.mesh)].triangles.empty();
   });
   std::vector<int> renamed(scene.meshes.size(), -1);
   std::vector<Mesh> kept;
-  for (Object& object : scene.objects) {
-    int& index = renamed[static_cast<std::size_t>(object.mesh)];
+  const auto keep = [&](int mesh) {
+    int& index = renamed[static_cast<std::size_t>(mesh)];
     if (index < 0) {
       index = static_cast<int>(kept.size());
-      kept.push_back(std::move(scene.meshes[static_cast<std::size_t>(object.mesh)]));
+      kept.push_back(std::move(scene.meshes[static_cast<std::size_t>(mesh)]));
     }
-    object.mesh = index;
+    return index;
+  };
+  for (Object& object : scene.objects) object.mesh = keep(object.mesh);
+  for (Object& object : scene.objects) {
+    if (object.shadow_mesh >= 0) object.shadow_mesh = keep(object.shadow_mesh);
   }
   scene.meshes = std::move(kept);
 }
@@ -75,11 +94,15 @@ void drop_empty(Scene& scene) {
 void take_out_reflections(Scene& scene) {
   const Mat4 reflection(Vec4(-1, 0, 0, 0), Vec4(0, 1, 0, 0), Vec4(0, 0, 1, 0), Vec4(0, 0, 0, 1));
   std::map<int, int> reflected;
+  const auto reflect = [&](int mesh) {
+    const auto [entry, is_new] = reflected.try_emplace(mesh, static_cast<int>(scene.meshes.size()));
+    if (is_new) scene.meshes.push_back(mirrored(scene.meshes[static_cast<std::size_t>(mesh)]));
+    return entry->second;
+  };
   for (Object& object : scene.objects) {
     if (glm::determinant(Mat3(object.world_from_object)) >= 0.0F) continue;
-    const auto [entry, is_new] = reflected.try_emplace(object.mesh, static_cast<int>(scene.meshes.size()));
-    if (is_new) scene.meshes.push_back(mirrored(scene.meshes[static_cast<std::size_t>(object.mesh)]));
-    object.mesh = entry->second;
+    object.mesh = reflect(object.mesh);
+    if (object.shadow_mesh >= 0) object.shadow_mesh = reflect(object.shadow_mesh);
     object.world_from_object = object.world_from_object * reflection;
   }
 }
@@ -106,6 +129,7 @@ Result<void> repair(Scene& scene, const std::string& path, bool bare, Diagnostic
       diagnostics.warn(path, fmt::format("{}: the surface was inside out and was turned", labels[i]));
     }
   }
+  replace_empty_shadow_meshes(scene, path, diagnostics);
   drop_empty(scene);
   if (scene.objects.empty()) {
     return Error{ErrorKind::kBadContent, "nothing to show: no face is left", path, "",

@@ -54,5 +54,49 @@ TEST_F(CliTest, PrepUnwrapsAMeshWithoutTextureCoordinatesAndDrawsTheAtlas) {
   expect_error(luminist("prep roof.obj --draw roof.jpg"), 2);
 }
 
+TEST_F(CliTest, PrepMakesProxiesOfTheObjectsThatAreNamed) {
+  const Outcome outcome =
+      luminist("prep ball.obj --shadow-proxy 'ba*=0.1' --shading-proxy ball=0.5 -o ball.glb --json");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const auto report = nlohmann::json::parse(outcome.out.substr(0, outcome.out.find('\n')), nullptr, false);
+  ASSERT_TRUE(report.is_object()) << outcome.out;
+  const auto& shadow = report["shadow_proxies"][0];
+  EXPECT_EQ(shadow["objects"][0], "ball");
+  EXPECT_LE(shadow["triangles"], 53);
+  EXPECT_LT(shadow["sticks_out"], 0.01);
+  EXPECT_EQ(report["shading_proxies"][0]["objects"].size(), 1U);
+  Diagnostics diagnostics;
+  LUM_ASSERT_OK(const Scene before, load_scene(folder_.file("ball.obj"), {}, diagnostics));
+  LUM_ASSERT_OK(const Scene after, load_scene(folder_.file("ball.glb"), {}, diagnostics));
+  EXPECT_TRUE(diagnostics.warnings().empty());
+  ASSERT_EQ(after.objects.size(), 2U);
+  EXPECT_EQ(after.objects[1].shadow_mesh, -1) << "the floor";
+  ASSERT_GE(after.objects[0].shadow_mesh, 0);
+  EXPECT_EQ(after.meshes[static_cast<std::size_t>(after.objects[0].shadow_mesh)].triangles.size(), shadow["triangles"]);
+  const std::size_t vertices = before.meshes[0].positions.size();
+  ASSERT_GE(after.meshes[0].positions.size(), vertices) << "large triangles may have been split";
+  std::size_t turned = 0;
+  for (std::size_t v = 0; v < vertices; ++v) {
+    EXPECT_EQ(after.meshes[0].positions[v], before.meshes[0].positions[v]);
+    turned += after.meshes[0].normals[v] != before.meshes[0].normals[v] ? 1 : 0;
+  }
+  EXPECT_GT(turned, vertices / 2);
+
+  const Outcome spoken = luminist("prep ball.obj --shadow-proxy ball=0.1");
+  EXPECT_NE(spoken.out.find("shadow of ball cast by"), std::string::npos) << spoken.out;
+}
+
+TEST_F(CliTest, PrepRefusesProxiesThatMakeNoSense) {
+  const Outcome unknown = luminist("prep ball.obj --shadow-proxy bal=0.1");
+  expect_error(unknown, 2);
+  EXPECT_NE(unknown.err.find("did you mean \"ball\"?"), std::string::npos) << unknown.err;
+  expect_error(luminist("prep ball.obj --shading-proxy 'x*=0.1'"), 2);
+  for (const char* share : {"ball", "ball=", "ball=0", "ball=-1", "ball=1.5", "ball=nan", "ball=many"}) {
+    const Outcome outcome = luminist(std::string("prep ball.obj --shading-proxy ") + share);
+    expect_error(outcome, 2);
+    EXPECT_NE(outcome.err.find("--shading-proxy"), std::string::npos) << outcome.err;
+  }
+}
+
 }  // namespace
 }  // namespace luminist

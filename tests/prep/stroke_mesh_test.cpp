@@ -41,6 +41,17 @@ TEST(StrokeMesh, ComesBackFromItsFileAsItWasMade) {
   EXPECT_EQ(std::filesystem::last_write_time(only_file(cache)), written) << "it was read, not made again";
 }
 
+TEST(StrokeMesh, KeepsNormalsThatAreNotThoseOfItsTriangles) {
+  const TemporaryFolder folder;
+  Mesh cube = test::box_mesh();
+  stroke_mesh(cube, folder.path());
+  for (std::size_t v = 0; v < cube.normals.size(); ++v) cube.normals[v] = glm::normalize(cube.positions[v]);
+  const StrokeMesh made = stroke_mesh(cube, folder.path());
+  for (std::size_t v = 0; v < made.mesh.normals.size(); ++v) {
+    EXPECT_EQ(made.mesh.normals[v], glm::normalize(made.mesh.positions[v]));
+  }
+}
+
 TEST(StrokeMesh, OfADamagedFileIsMadeAgain) {
   const TemporaryFolder folder;
   const Mesh cube = test::box_mesh();

@@ -56,6 +56,45 @@ TEST(RayScene, PlacesObjectsInTheWorld) {
   EXPECT_EQ(blocked(rays, {5.0F, 0.0F, 1.0F}, {5.0F, 0.0F, -4.0F}), 0);
 }
 
+/// The surface of the cube of half side `half`, wound outwards.
+Mesh cube_mesh(float half) {
+  Mesh mesh;
+  for (int i = 0; i < 8; ++i) {
+    mesh.positions.emplace_back(i % 2 == 0 ? -half : half, i / 2 % 2 == 0 ? -half : half, i < 4 ? -half : half);
+  }
+  mesh.triangles = {{0, 2, 3}, {0, 3, 1}, {4, 5, 7}, {4, 7, 6}, {0, 1, 5}, {0, 5, 4},
+                    {2, 6, 7}, {2, 7, 3}, {0, 4, 6}, {0, 6, 2}, {1, 3, 7}, {1, 7, 5}};
+  for (const Vec3& p : mesh.positions) mesh.normals.push_back(glm::normalize(p));
+  return mesh;
+}
+
+TEST(RayScene, ShadowMeshBlocksWhatGoesThroughItAndNotWhatEndsInIt) {
+  Mat4 mirrored(1.0F);
+  mirrored[0][0] = -1.0F;
+  for (const Mat4& place : {Mat4(1.0F), mirrored}) {
+    Scene scene = square_scene(1.0F, place);
+    scene.meshes.push_back(cube_mesh(0.5F));
+    scene.objects[0].shadow_mesh = 1;
+    LUM_ASSERT_OK(const RayScene rays, RayScene::create(scene));
+    EXPECT_GT(rays.shadow_slack(0), 0.0F);
+    EXPECT_EQ(rays.shadow_slack(1), 0.0F) << "there is no such object";
+    EXPECT_EQ(blocked(rays, {0.1F, 0.2F, 3.0F}, {0.2F, 0.1F, -3.0F}), 1) << "through the cube";
+    EXPECT_EQ(blocked(rays, {0.1F, 0.2F, 3.0F}, {0.2F, 0.1F, 0.4F}), 0) << "into the cube: its object is lit";
+    EXPECT_EQ(blocked(rays, {0.1F, 0.2F, 0.2F}, {0.2F, 0.1F, 3.0F}), 1) << "a light in the cube lights nothing outside";
+    EXPECT_EQ(blocked(rays, {0.8F, 0.2F, 3.0F}, {0.8F, 0.1F, -3.0F}), 0) << "the square itself blocks nothing";
+  }
+}
+
+TEST(RayScene, ShadowMeshWithABorderBlocksOnBothSides) {
+  Scene scene = square_scene(1.0F, Mat4(1.0F));
+  scene.meshes.push_back(square_scene(0.5F, Mat4(1.0F)).meshes[0]);
+  scene.objects[0].shadow_mesh = 1;
+  LUM_ASSERT_OK(const RayScene rays, RayScene::create(scene));
+  EXPECT_EQ(blocked(rays, {0.1F, 0.2F, 3.0F}, {0.2F, 0.1F, -3.0F}), 1);
+  EXPECT_EQ(blocked(rays, {0.1F, 0.2F, -3.0F}, {0.2F, 0.1F, 3.0F}), 1);
+  EXPECT_EQ(blocked(rays, {0.8F, 0.2F, 3.0F}, {0.8F, 0.1F, -3.0F}), 0);
+}
+
 TEST(RayScene, TakesSegmentsThatAreNotFiniteOrHaveNoLengthAsFree) {
   LUM_ASSERT_OK(const RayScene rays, RayScene::create(square_scene(1.0F, Mat4(1.0F))));
   const float nan = std::numeric_limits<float>::quiet_NaN();

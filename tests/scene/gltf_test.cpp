@@ -63,6 +63,45 @@ TEST(Gltf, TakesReflectionsOutOfItsTransforms) {
   EXPECT_EQ(scene.bounds().lo, Vec3(0, -1, 0));
 }
 
+/// A reflected node that shows the tetrahedron and names a shadow mesh; `primitives` are those of mesh 1.
+std::string with_shadow_mesh(const std::string& reference, const std::string& primitives = "") {
+  const std::string node =
+      R"([{"mesh":0,"name":"a","scale":[-1,1,1],"extras":{"luminist":{"shadow_mesh":)" + reference + "}}}]";
+  std::string gltf = tetrahedron_gltf(embedded_buffer(), "", node);
+  const std::size_t end_of_meshes = gltf.find(R"(],"accessors")");
+  return gltf.insert(end_of_meshes, R"(,{"primitives":[)" + primitives + "]}");
+}
+
+TEST(Gltf, JoinsThePrimitivesOfAShadowMeshAndReflectsItWithItsObject) {
+  const std::string primitive = R"({"attributes":{"POSITION":0},"indices":1})";
+  SceneFile file("a.gltf", with_shadow_mesh("1", primitive + "," + primitive));
+  LUM_ASSERT_OK(const Scene scene, file.load());
+  EXPECT_EQ(file.warnings(), 0U);
+  expect_sound(scene);
+  ASSERT_EQ(scene.objects.size(), 1U);
+  ASSERT_GE(scene.objects[0].shadow_mesh, 0);
+  const Mesh& shadow = scene.meshes[static_cast<std::size_t>(scene.objects[0].shadow_mesh)];
+  EXPECT_EQ(shadow.triangles.size(), 8U);
+  EXPECT_NEAR(six_volumes(shadow), 2.0, 1e-6) << "front faces still look outwards";
+}
+
+TEST(Gltf, WarnsOfAShadowMeshThatIsNotThere) {
+  for (const char* reference : {"7", "-1", "0.5", "\"a\""}) {
+    SceneFile file("a.gltf", with_shadow_mesh(reference));
+    LUM_ASSERT_OK(const Scene scene, file.load());
+    EXPECT_TRUE(contains(file.warning(), "\"a\" names a shadow mesh that is not there")) << reference;
+    EXPECT_EQ(scene.objects[0].shadow_mesh, -1);
+  }
+}
+
+TEST(Gltf, LeavesTheShadowToTheMeshItselfIfItsShadowMeshHasNoFaces) {
+  SceneFile file("a.gltf", with_shadow_mesh("1"));
+  LUM_ASSERT_OK(const Scene scene, file.load());
+  EXPECT_TRUE(contains(file.warning(), "\"a\": no face of its shadow mesh is left")) << file.warning();
+  EXPECT_EQ(scene.objects[0].shadow_mesh, -1);
+  expect_sound(scene);
+}
+
 TEST(Gltf, ReadsMaterialsAndTheirPictures) {
   LUM_ASSERT_OK(const std::string png, encode_png(Image(2, 2, 3, 0.5F), Encoding::kLinear));
   const std::string more =

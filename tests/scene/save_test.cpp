@@ -84,6 +84,29 @@ TEST(SavedScene, ComesBackWhole) {
   EXPECT_EQ(back.cameras[0].far_plane, 33.0F);
 }
 
+TEST(SavedScene, KeepsShadowMeshes) {
+  const TemporaryFolder folder;
+  Scene scene = rich_scene();
+  Mesh proxy = scene.meshes[0];
+  for (Vec3& p : proxy.positions) p *= 0.5F;
+  scene.meshes.push_back(proxy);
+  scene.objects[0].shadow_mesh = 1;  // of the jug
+  scene.objects[2].shadow_mesh = 0;  // of the wall, a backdrop: a mesh that is seen as well
+  LUM_EXPECT_OK(save_scene(scene, folder.file("a.glb")));
+  Diagnostics diagnostics;
+  LUM_ASSERT_OK(const Scene back, load_scene(folder.file("a.glb"), {}, diagnostics));
+  EXPECT_TRUE(diagnostics.warnings().empty());
+  expect_sound(back);
+  ASSERT_EQ(back.objects.size(), 3U);
+  ASSERT_GE(back.objects[0].shadow_mesh, 0);
+  EXPECT_EQ(back.meshes[static_cast<std::size_t>(back.objects[0].shadow_mesh)].positions, proxy.positions);
+  EXPECT_EQ(back.objects[1].shadow_mesh, -1);
+  EXPECT_EQ(back.objects[1].blocking_mesh(), back.objects[1].mesh);
+  EXPECT_TRUE(back.objects[2].backdrop);
+  ASSERT_GE(back.objects[2].shadow_mesh, 0);
+  EXPECT_EQ(back.meshes[static_cast<std::size_t>(back.objects[2].shadow_mesh)].positions, scene.meshes[0].positions);
+}
+
 TEST(SavedScene, KeepsMaterialsPicturesAndLights) {
   const TemporaryFolder folder;
   const Scene scene = rich_scene();
