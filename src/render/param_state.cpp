@@ -6,34 +6,13 @@
 
 #include "base/check.h"
 #include "base/files.h"
+#include "base/pattern.h"
 #include "params/param_text.h"
 
 namespace luminist {
 namespace {
 
 constexpr std::string_view kGroupPrefix = "group:";
-
-/// Whether the whole text matches a pattern in which '*' stands for any run of characters.
-bool matches(std::string_view pattern, std::string_view text) {
-  std::size_t p = 0;
-  std::size_t t = 0;
-  std::size_t star = std::string_view::npos;  // the last '*', and the text that it has swallowed
-  std::size_t swallowed = 0;
-  while (t < text.size()) {
-    if (p < pattern.size() && pattern[p] == '*') {
-      star = p++;
-      swallowed = t;
-    } else if (p < pattern.size() && pattern[p] == text[t]) {
-      ++p, ++t;
-    } else if (star != std::string_view::npos) {
-      p = star + 1;
-      t = ++swallowed;
-    } else {
-      return false;
-    }
-  }
-  return pattern.find_first_not_of('*', p) == std::string_view::npos;
-}
 
 /// The names that a block's parameters may have before their '/': its path, and its group for a light.
 std::vector<std::string> block_prefixes(const ParamState& state, std::size_t block) {

@@ -1,6 +1,8 @@
 #pragma once
 // studio/stage.h -- a shot, loaded: scene, camera, style, light types and the engine that draws them.
 #include <memory>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "base/diagnostics.h"
@@ -24,6 +26,8 @@ struct Stage {
   std::vector<PunctualLight> scene_lights;
   std::unique_ptr<RasterRenderer> renderer;
   std::shared_ptr<const EdgeMask> edges;  ///< of the renderer's surface, for every solve on it
+
+  [[nodiscard]] std::span<const std::string> object_names() const;  ///< of the scene; valid while the renderer is
 };
 
 /// device outlives the stage. Paths of the shot are looked for below folder, then below the roots.
@@ -33,7 +37,7 @@ Result<std::unique_ptr<Stage>> open_stage(Device& device, const AssetRoots& root
                                           const std::filesystem::path& folder, Diagnostics& diagnostics);
 
 /// The lights that a shot starts with: its rig file, or the lights in the scene, or none; then its settings.
-/// errors those of load_rig() and set_path().
+/// errors those of load_rig(), check_links() and set_path().
 Result<ParamState> starting_state(const Stage& stage, const AssetRoots& roots, const Shot& shot,
                                   const std::filesystem::path& folder);
 
