@@ -15,6 +15,7 @@ layout(std140, binding = LUM_FRAME) uniform LumFrame {
   uint layered;        // 1: lum_layer is added
   float pattern_fade;  // 1: patterns give way to their mean tone
   uint strokes;        // 1: lum_strokes holds something
+  uint link_words;     // of one row of bits in lum_links
 } lum_frame;
 
 // The deep framebuffer. position.w and normal.w hold object and material as bits.
@@ -31,14 +32,18 @@ layout(std430, binding = LUM_ENTRIES) readonly buffer LumEntries { uint lum_entr
 layout(std430, binding = LUM_VISIBILITY) readonly buffer LumVisibility { float lum_visibility[]; };
 // [candidate] first light, number of lights, ambient block (LUM_NONE: nothing but lights), style block
 layout(std430, binding = LUM_CANDIDATES) readonly buffer LumCandidates { uvec4 lum_candidates[]; };
-// [light] type, block of that type, visibility column (LUM_NONE: no shadows), 0
+// [light] type, block of that type, visibility column (LUM_NONE: no shadows), which objects it lights: LUM_NONE or
+// LUM_KEY_OF_ALL, or its first word in lum_links
 layout(std430, binding = LUM_LIGHTS) readonly buffer LumLights { uvec4 lum_lights[]; };
+// Two rows of bits a light, one bit an object: what it lights, whose key it is.
+layout(std430, binding = LUM_LINKS) readonly buffer LumLinks { uint lum_links[]; };
 // [sample] colours that every candidate is added to
 layout(std430, binding = LUM_LAYER) readonly buffer LumLayer { vec4 lum_layer[]; };
 // [candidate * samples + sample]
 layout(std430, binding = LUM_COLORS) writeonly buffer LumColors { vec4 lum_colors[]; };
 
 const uint LUM_NONE = 0xFFFFFFFFu;
+const uint LUM_KEY_OF_ALL = 0xFFFFFFFEu;
 
 uvec4 lum_candidate = uvec4(0u);
 uint lum_sample = 0u;
@@ -49,6 +54,8 @@ float lum_pattern_fade() { return lum_frame.pattern_fade; }
 
 // The side of a pixel, in picture heights as Surface.screen.
 float pixel_size() { return lum_frame.eye.w; }
+
+bool lum_link(uint row, uint object) { return (lum_links[row + (object >> 5u)] >> (object & 31u) & 1u) != 0u; }
 
 int light_count() { return int(lum_candidate.y); }
 

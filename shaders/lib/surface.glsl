@@ -30,7 +30,10 @@ struct LightSample {
   float shape;       // share of the light that its own limits (barn, cutoffs) let through; color contains it
   float lit;         // share of the light that nothing blocks: 1 lit, 0 in full shadow; filled in by the host
   float visibility;  // the same after the light's shadow density: 1 - density * (1 - lit); filled in by the host
+  bool key;          // whether the light is the key of the surface's object (rig/light_links.h); filled in by the host
 };
 
 // What a light's author returns.
-LightSample unshadowed(vec3 direction, vec3 color, float shape) { return LightSample(direction, color, shape, 1.0, 1.0); }
+LightSample unshadowed(vec3 direction, vec3 color, float shape) {
+  return LightSample(direction, color, shape, 1.0, 1.0, false);
+}

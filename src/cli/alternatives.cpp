@@ -43,8 +43,7 @@ Result<int> alternatives(const Words& words, VerbContext& context) {
   LUM_TRY(Device device, Device::create_headless());
   Console& console = context.console;
   Diagnostics diagnostics;
-  LUM_TRY(const auto session,
-          open_task(device, shot, &words.paint, words.shot.constrain, words.locks, context, diagnostics));
+  LUM_TRY(const auto session, open_task(device, shot, &words.paint, words.shot, words.locks, context, diagnostics));
   const StopSignals::Grace grace(context.signals);
   const Deadline deadline(context.signals, words.seconds);
   LUM_TRY(const Alternatives found, find_alternatives(*session, words.options, [&](const ExploreProgress& progress) {

@@ -37,8 +37,7 @@ Result<int> diet(const Words& words, VerbContext& context) {
   LUM_TRY(Device device, Device::create_headless());
   Console& console = context.console;
   Diagnostics diagnostics;
-  LUM_TRY(const auto session,
-          open_task(device, shot, nullptr, words.shot.constrain, words.locks, context, diagnostics));
+  LUM_TRY(const auto session, open_task(device, shot, nullptr, words.shot, words.locks, context, diagnostics));
   const StopSignals::Grace grace(context.signals);
   const Deadline deadline(context.signals, words.seconds);
   LUM_TRY(const Diet found, find_diet(*session, options, [&](const ExploreProgress& progress) {

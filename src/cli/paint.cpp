@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "cli/shot_words.h"
+#include "cli/task_words.h"
 #include "image_io/image_io.h"
 #include "studio/session.h"
 
@@ -31,6 +32,7 @@ Result<int> paint(const Words& words, VerbContext& context) {
   auto session = Session::open(device, context.roots, shot, ".", diagnostics);
   context.console.warn(diagnostics);
   if (!session) return std::move(session).error();
+  LUM_TRY_VOID(link_all(**session, words.shot.link));
   LUM_TRY_VOID((*session)->constrain(words.shot.constrain));
   LUM_TRY_VOID((*session)->paint(strokes, path));
   LUM_TRY(const Target* target, (*session)->target());

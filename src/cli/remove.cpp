@@ -37,8 +37,7 @@ Result<int> remove(const Words& words, VerbContext& context) {
   LUM_TRY(Device device, Device::create_headless());
   Console& console = context.console;
   Diagnostics diagnostics;
-  LUM_TRY(const auto session,
-          open_task(device, shot, nullptr, words.shot.constrain, words.locks, context, diagnostics));
+  LUM_TRY(const auto session, open_task(device, shot, nullptr, words.shot, words.locks, context, diagnostics));
   LUM_TRY(const RemovalFacts facts, start_removal(*session, words.light, words.options));
   const StopSignals::Grace grace(context.signals);
   const Deadline deadline(context.signals, words.seconds);

@@ -6,6 +6,7 @@
 
 #include "cli/shot_words.h"
 #include "image_io/image_io.h"
+#include "rig/light_links.h"
 #include "studio/constraint_words.h"
 #include "studio/sequence.h"
 #include "studio/stage.h"
@@ -86,6 +87,7 @@ Result<int> render(const Words& words, VerbContext& context) {
   context.console.warn(diagnostics);
   if (!stage) return std::move(stage).error();
   LUM_TRY(ParamState state, starting_state(**stage, context.roots, shot, "."));
+  LUM_TRY_VOID(link_lights(state.rig, words.shot.link, (*stage)->object_names()));
   LUM_TRY_VOID(add_constraints(state.rig, words.shot.constrain, (*stage)->renderer->surface(), (*stage)->bounds));
   Diagnostics doubts;
   warn_of_ranges(state, shot.set, (*stage)->frame, doubts);

@@ -52,6 +52,11 @@ void declare_shot(CLI::App& app, ShotWords& words) {
   app.add_option("--set", words.shot.set, "Sets a parameter, as lights/key/color=1,0.9,0.8; may be repeated")
       ->allow_extra_args(false)
       ->type_name("PATH=VALUE");
+  app.add_option("--link", words.link,
+                 "A light, or group:NAME, lights only the objects of these names or patterns, as key=creature*,floor; "
+                 "may be repeated")
+      ->allow_extra_args(false)
+      ->type_name("LIGHT=OBJECTS");
   app.add_option("--constrain", words.constrain, std::string("Holds from now on; may be repeated. ") + kConstraintForms)
       ->allow_extra_args(false)
       ->type_name("RULE");

@@ -1,6 +1,6 @@
 #pragma once
 // cli/shot_words.h -- SHOT = SCENE [--camera C] [--size WxH] [--rig R] [--style A] [--set path=value]...
-// [--constrain WORDS]... [--floor] [--wall]
+// [--link LIGHT=OBJECTS]... [--constrain WORDS]... [--floor] [--wall]
 #include <string>
 #include <vector>
 
@@ -14,6 +14,7 @@ struct ShotWords {
   Shot shot;
   std::string size;
   std::string style;
+  std::vector<std::string> link;       ///< for link_lights(), once all lights are there
   std::vector<std::string> constrain;  ///< for parse_constraint(), once all lights are there
 };
 

@@ -44,8 +44,7 @@ Result<int> solve(const SolveWords& words, VerbContext& context) {
   LUM_TRY(Device device, Device::create_headless());
   Console& console = context.console;
   Diagnostics diagnostics;
-  LUM_TRY(const auto session,
-          open_task(device, shot, &words.paint, words.shot.constrain, words.locks, context, diagnostics));
+  LUM_TRY(const auto session, open_task(device, shot, &words.paint, words.shot, words.locks, context, diagnostics));
   if (words.keys) LUM_TRY_VOID(key_free_params(*session));
   const StopSignals::Grace grace(context.signals);
   LUM_TRY_VOID(solve_into(*session, words, words.output, context));

@@ -57,7 +57,7 @@ SolveWords words_for(const SolveWords& words, const Style& style, const std::vec
 Result<std::unique_ptr<Session>> open_style(Device& device, const SolveWords& words, VerbContext& context,
                                             Diagnostics& diagnostics) {
   LUM_TRY(const Shot shot, shot_from(words.shot));
-  return open_task(device, shot, &words.paint, words.shot.constrain, words.locks, context, diagnostics);
+  return open_task(device, shot, &words.paint, words.shot, words.locks, context, diagnostics);
 }
 
 std::string folder_of(const SolveWords& words, const std::string& style) {
@@ -96,6 +96,7 @@ Result<int> solve_together(const SolveWords& words, const std::vector<Style>& st
     if (!views.empty()) {
       // Words about lights that only the first session has: their locks come with its rig.
       own.paint.new_lights = 0;
+      own.shot.link.clear();
       own.shot.constrain.clear();
       std::erase_if(own.locks.ordered, [](const auto& lock) { return lock.first.rfind("style/", 0) != 0; });
     }

@@ -6,6 +6,7 @@
 
 #include "image_io/image_io.h"
 #include "params/param_text.h"
+#include "rig/light_links.h"
 
 namespace luminist {
 
@@ -19,6 +20,7 @@ void declare_paint_words(CLI::App& app, PaintWords& words) {
   app.add_option("--add-light", words.new_lights, "Adds so many lights where the paint wants them; locks the others")
       ->check(CLI::Range(0, 16));
   app.add_option("--light-type", words.light.type, "Type of the lights that are added (default: cinematic)");
+  app.add_option("--light-group", words.light.group, "Group of the lights that are added, as key (default: none)");
 }
 
 Result<void> check_paint_words(const PaintWords& words) {
@@ -81,16 +83,25 @@ Result<void> apply_locks(Session& session, const LockWords& words) {
   return {};
 }
 
+Result<void> link_all(Session& session, const std::vector<std::string>& words) {
+  for (const std::string& each : words) {
+    LUM_TRY(const LinkWords link, parse_link(each));
+    LUM_TRY_VOID(session.link_light(link.light, link.patterns));
+  }
+  return {};
+}
+
 Result<std::unique_ptr<Session>> open_task(Device& device, const Shot& shot, const PaintWords* paint,
-                                           const std::vector<std::string>& constrain, const LockWords& locks,
-                                           VerbContext& context, Diagnostics& diagnostics) {
+                                           const ShotWords& words, const LockWords& locks, VerbContext& context,
+                                           Diagnostics& diagnostics) {
   auto session = Session::open(device, context.roots, shot, ".", diagnostics);
   auto painted = session && paint != nullptr ? put_target(**session, *paint, context.roots) : Result<void>();
   context.console.warn(diagnostics);
   if (!session) return session;
   LUM_TRY_VOID(std::move(painted));
   if (paint != nullptr) LUM_TRY_VOID(add_new_lights(**session, *paint));
-  LUM_TRY_VOID((*session)->constrain(constrain));
+  LUM_TRY_VOID(link_all(**session, words.link));
+  LUM_TRY_VOID((*session)->constrain(words.constrain));
   LUM_TRY_VOID(apply_locks(**session, locks));
   return session;
 }

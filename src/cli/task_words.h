@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "cli/shot_words.h"
 #include "cli/verb.h"
 #include "studio/session.h"
 
@@ -45,11 +46,15 @@ void declare_lock_words(CLI::App& app, LockWords& words);
 void note_lock_order(const CLI::App& app, LockWords& words);
 Result<void> apply_locks(Session& session, const LockWords& words);
 
-/// A session on a shot with the paint, new lights, constraints and locks that were typed; paint may be null. Warnings
-/// are shown also where something goes wrong. device and diagnostics outlive the session. errors those of all these.
+/// Links lights as --link says.
+Result<void> link_all(Session& session, const std::vector<std::string>& words);
+
+/// A session on a shot with the paint, new lights, links, constraints and locks that were typed; paint may be null.
+/// Warnings are shown also where something goes wrong. device and diagnostics outlive the session. errors those of all
+/// these.
 Result<std::unique_ptr<Session>> open_task(Device& device, const Shot& shot, const PaintWords* paint,
-                                           const std::vector<std::string>& constrain, const LockWords& locks,
-                                           VerbContext& context, Diagnostics& diagnostics);
+                                           const ShotWords& words, const LockWords& locks, VerbContext& context,
+                                           Diagnostics& diagnostics);
 
 CLI::Option* declare_seconds(CLI::App& app, std::optional<double>& seconds, const std::string& doc);
 /// The checks of CLI11 let "nan" and "inf" through, and "-1" wrap around to a large whole number.

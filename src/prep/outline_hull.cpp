@@ -49,11 +49,18 @@ std::vector<Vec3> hull_directions(const WeldedMesh& surface, const SurfaceSides&
   return directions;
 }
 
-std::vector<float> hull_widths(const Mesh& mesh, const WeldedMesh& surface) {
+std::vector<float> hull_widths(const Mesh& mesh, const Texture* mask, const WeldedMesh& surface) {
   std::vector<float> widths(surface.positions.size(), 1.0F);
-  if (mesh.line_widths.empty()) return widths;
+  const bool masked = mask != nullptr && !mesh.uvs.empty();
+  if (mesh.line_widths.empty() && !masked) return widths;
   for (std::size_t f = 0; f < surface.triangles.size(); ++f) {
-    for (std::size_t k = 0; k < 3; ++k) widths[surface.triangles[f][k]] = mesh.line_widths[surface.corners[f][k]];
+    for (std::size_t k = 0; k < 3; ++k) {
+      const std::uint32_t corner = surface.corners[f][k];
+      float width = mesh.line_widths.empty() ? 1.0F : mesh.line_widths[corner];
+      if (masked) width *= std::clamp(mask->red_at(mesh.uvs[corner]), 0.0F, 1.0F);
+      float& least = widths[surface.triangles[f][k]];
+      least = std::min(least, width);
+    }
   }
   return widths;
 }
@@ -158,13 +165,13 @@ void add_border(const Mesh& mesh, const WeldedMesh& surface, const SurfaceSides&
 
 }  // namespace
 
-OutlineHull outline_hull(const Mesh& mesh) {
+OutlineHull outline_hull(const Mesh& mesh, const Texture* mask) {
   const WeldedMesh surface = repair(mesh).surface;
   const SurfaceSides sides = sides_of(surface);
   OutlineHull hull;
   hull.positions = surface.positions;
   hull.directions = hull_directions(surface, sides);
-  hull.widths = hull_widths(mesh, surface);
+  hull.widths = hull_widths(mesh, mask, surface);
   hull.triangles = surface.triangles;
   add_border(mesh, surface, sides, hull);
   return hull;

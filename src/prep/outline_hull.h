@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "scene/material.h"
 #include "scene/mesh.h"
 
 namespace luminist {
@@ -30,12 +31,13 @@ struct OutlineHull {
   /// shading normals, and so long that a step moves every triangle there by at least 1, up to kLongest; zero on the
   /// inner side of a strip.
   std::vector<Vec3> directions;
-  std::vector<float> widths;  ///< of the mesh's line_widths; 1 where it has none
+  std::vector<float> widths;  ///< 0 to 1, of the mesh's line_widths and the mask; 1 where it has neither
   std::vector<std::array<std::uint32_t, 3>> triangles;
   std::vector<Edge> edges;
 };
 
-/// Of a mesh as it comes: it is repaired first. cost that of repair(), O(n log n).
-OutlineHull outline_hull(const Mesh& mesh);
+/// Of a mesh as it comes: it is repaired first. mask: widths are multiplied by its red at the vertices' uvs, if the
+/// mesh has any; where corners of one place differ, the least counts. cost that of repair(), O(n log n).
+OutlineHull outline_hull(const Mesh& mesh, const Texture* mask = nullptr);
 
 }  // namespace luminist

@@ -123,6 +123,18 @@ Result<void> read_track(const Document& document, const std::string& light, cons
   return {};
 }
 
+/// A path that is not there holds none.
+Result<std::vector<std::string>> texts_at(const Document& document, const std::string& path) {
+  std::vector<std::string> texts;
+  if (!document.has(path)) return texts;
+  const Json value = Json::parse(document.get(path), nullptr, false);
+  for (const Json& each : value.is_array() ? value : Json::array({nullptr})) {
+    if (!each.is_string()) return wrong(path, "an array of strings is wanted");
+    texts.push_back(each.get<std::string>());
+  }
+  return texts;
+}
+
 Result<Light> read_light(const Document& document, const std::string& name, const LightTypes& types,
                          const SceneFrame& frame) {
   const std::string path = "lights/" + name;
@@ -130,6 +142,7 @@ Result<Light> read_light(const Document& document, const std::string& name, cons
   LUM_TRY(Light light, make_light(types, type, name, frame));
   LUM_TRY(light.group, text_at(document, path + "/@group"));
   light.muted = document.get(path + "/@muted") == "true";
+  LUM_TRY(light.objects, texts_at(document, path + "/@objects"));
   LUM_TRY_VOID(read_block(document, path, light.params));
   return light;
 }
@@ -153,6 +166,7 @@ void write_state(const ParamState& state, Document& document) {
     document.set(path + "/@type", Json(light.type).dump());
     document.set(path + "/@group", Json(light.group).dump());
     document.set(path + "/@muted", Json(light.muted).dump());
+    document.set(path + "/@objects", light.objects.empty() ? "" : Json(light.objects).dump());
     write_block(path, light.params, document);
   }
   write_keys(state.rig, document);

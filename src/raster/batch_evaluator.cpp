@@ -26,7 +26,7 @@ BatchEvaluator::BatchEvaluator(Device& device, Relight& relight, const DeepFrame
       surface_(&surface),
       types_(&types),
       visibility_(rays, seen),
-      table_(relight.make_table()) {}
+      table_(relight.make_table(seen.object_names)) {}
 
 Result<void> BatchEvaluator::evaluate(std::span<const Candidate> candidates, const SampleSet& samples,
                                       const Softness& softness, std::span<Vec3> out) {

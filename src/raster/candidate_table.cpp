@@ -1,12 +1,15 @@
 #include "raster/candidate_table.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/check.h"
 
 namespace luminist {
 
-CandidateTable::CandidateTable(const RelightLayout& layout, const LightTypes& types) : types_(&types) {
+CandidateTable::CandidateTable(const RelightLayout& layout, const LightTypes& types,
+                               std::vector<std::string> object_names)
+    : types_(&types), links_(std::move(object_names)) {
   ambient_.array = layout.ambient;
   style_.array = layout.style;
   for (const BlockArray& array : layout.light_types) light_types_.push_back({array, {}, {}});
@@ -15,6 +18,7 @@ CandidateTable::CandidateTable(const RelightLayout& layout, const LightTypes& ty
 void CandidateTable::clear() {
   candidates_.clear();
   lights_.clear();
+  links_.clear();
   const auto empty = [](Blocks& blocks) { blocks.bytes.clear(), blocks.last.clear(); };
   empty(ambient_);
   empty(style_);
@@ -64,11 +68,12 @@ bool CandidateTable::add(const ParamState& state, std::span<const int> lights, b
   if (!fits(rig, lights)) return false;
   candidates_.push_back({static_cast<std::uint32_t>(lights_.size()), static_cast<std::uint32_t>(lights.size()),
                          whole ? ambient_.add(0, rig.ambient.bytes()) : kNone, style_.add(0, state.style.bytes())});
+  const std::span<const std::uint32_t> links = links_.entries(rig);
   for (const int i : lights) {
     const Light& light = rig.lights[static_cast<std::size_t>(i)];
     const auto type = static_cast<std::uint32_t>(types_->index(light.type));
     const std::uint32_t block = light_types_[type].add(static_cast<std::size_t>(i), light.params.bytes());
-    lights_.push_back({type, block, column_of(rig, i), 0});
+    lights_.push_back({type, block, column_of(rig, i), links[static_cast<std::size_t>(i)]});
   }
   return true;
 }

@@ -5,8 +5,10 @@
 #include <cstdint>
 #include <functional>
 #include <span>
+#include <string>
 #include <vector>
 
+#include "raster/link_table.h"
 #include "raster/shader_library.h"
 #include "render/renderer.h"
 
@@ -22,8 +24,8 @@ class CandidateTable {
   /// The column of the visibility buffer of a light of the candidate's rig, or kNone for no shadows.
   using ColumnOf = std::function<std::uint32_t(const LightRig& rig, int light)>;
 
-  /// types must outlive the table.
-  CandidateTable(const RelightLayout& layout, const LightTypes& types);
+  /// types must outlive the table. object_names as SurfaceBuffer has them.
+  CandidateTable(const RelightLayout& layout, const LightTypes& types, std::vector<std::string> object_names);
 
   void clear();
   /// False, and nothing is added, if the candidate's blocks do not fit beside those that are there.
@@ -35,6 +37,7 @@ class CandidateTable {
   [[nodiscard]] std::size_t size() const { return candidates_.size(); }
   [[nodiscard]] const std::vector<Row>& candidates() const { return candidates_; }  ///< see shaders/lib/host.glsl
   [[nodiscard]] const std::vector<Row>& lights() const { return lights_; }
+  [[nodiscard]] const LinkTable& links() const { return links_; }
   [[nodiscard]] std::span<const std::byte> ambient() const { return ambient_.bytes; }
   [[nodiscard]] std::span<const std::byte> style() const { return style_.bytes; }
   [[nodiscard]] std::span<const std::byte> light_type(std::size_t type) const { return light_types_[type].bytes; }
@@ -53,6 +56,7 @@ class CandidateTable {
   const LightTypes* types_;
   std::vector<Row> candidates_;
   std::vector<Row> lights_;
+  LinkTable links_;
   Blocks ambient_;
   Blocks style_;
   std::vector<Blocks> light_types_;

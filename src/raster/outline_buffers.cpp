@@ -73,15 +73,18 @@ Result<OutlineBuffers> OutlineBuffers::create(Device& device, const Scene& scene
   OutlineBuffers outlines;
   Lists<HullVertex> hulls;
   Lists<EdgeVertex> edges;
-  std::map<int, std::pair<MeshDraw, MeshDraw>> of_mesh;
+  std::map<std::pair<int, int>, std::pair<MeshDraw, MeshDraw>> of_mesh;  // of a mesh with a mask
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const Object& object = scene.objects[i];
     if (object.backdrop) continue;
-    if (!of_mesh.contains(object.mesh)) {
-      const OutlineHull hull = outline_hull(scene.meshes[static_cast<std::size_t>(object.mesh)]);
-      of_mesh[object.mesh] = {append_hull(hull, hulls), append_edges(hull, edges)};
+    const int mask = scene.materials[static_cast<std::size_t>(object.material)].line_width_texture;
+    const std::pair key(object.mesh, mask);
+    if (!of_mesh.contains(key)) {
+      const Texture* texture = mask >= 0 ? &scene.textures[static_cast<std::size_t>(mask)] : nullptr;
+      const OutlineHull hull = outline_hull(scene.meshes[static_cast<std::size_t>(object.mesh)], texture);
+      of_mesh[key] = {append_hull(hull, hulls), append_edges(hull, edges)};
     }
-    auto [hull, edge] = of_mesh[object.mesh];
+    auto [hull, edge] = of_mesh[key];
     for (MeshDraw* draw : {&hull, &edge}) {
       draw->object = static_cast<std::uint32_t>(i);
       draw->material = static_cast<std::uint32_t>(object.material);

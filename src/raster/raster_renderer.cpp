@@ -17,6 +17,7 @@
 #include "raster/shadow_maps.h"
 #include "rays/ray_scene.h"
 #include "render/metric.h"
+#include "rig/light_links.h"
 
 namespace luminist {
 namespace {
@@ -107,7 +108,7 @@ Result<void> RasterRenderer::Impl::prepare(const Scene& scene, const Camera& cam
   if (!style_.ink_path.empty()) LUM_TRY_VOID(prepare_lines(scene, camera, roots));
   LUM_TRY(maps_, ShadowMaps::create(*device_, roots, meshes_));
   LUM_TRY(relight_, Relight::create(*device_, *types_, style_, roots));
-  table_ = relight_->make_table();
+  table_ = relight_->make_table(surface().object_names);
   LUM_TRY(rays_, RayScene::create(scene));
   batch_.emplace(*device_, *relight_, *deep_, surface(), *types_, *rays_);
   LUM_TRY(metric_, MetricPass::create(*device_, roots, deep_->pixel_count()));
@@ -135,7 +136,7 @@ Result<void> RasterRenderer::Impl::change_style(const Style& style, const AssetR
   LUM_TRY(Relight relight, Relight::create(*device_, *types_, style, roots));
   relight_ = std::move(relight);
   style_ = style;
-  table_ = relight_->make_table();
+  table_ = relight_->make_table(surface().object_names);
   batch_.emplace(*device_, *relight_, *deep_, surface(), *types_, *rays_);
   still_key_.clear();
   picture_key_.clear();
@@ -221,6 +222,7 @@ std::vector<std::byte> RasterRenderer::Impl::key_of(const ParamState& state, con
   const auto add = [&](std::span<const std::byte> bytes) { key.insert(key.end(), bytes.begin(), bytes.end()); };
   add(state.rig.ambient.bytes());
   add(state.style.bytes());
+  add(std::as_bytes(std::span(std::string_view(link_signature(state.rig)))));
   const std::vector<ShadowLight> shadows = shadow_lights(state.rig, *types_);
   for (const int i : layer.lights) {
     const Light& light = state.rig.lights[static_cast<std::size_t>(i)];

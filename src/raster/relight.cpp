@@ -30,7 +30,8 @@ struct FrameBlock {
   std::uint32_t layered = 0;
   float pattern_fade = 0.0F;
   std::uint32_t strokes = 0;
-  std::array<float, 2> unused{};
+  std::uint32_t link_words = 0;
+  float unused = 0.0F;
 };
 static_assert(sizeof(FrameBlock) == 128, "as std140 lays it out");
 
@@ -85,6 +86,7 @@ Result<void> Relight::upload(const RelightJob& job) {
   frame.run = static_cast<std::uint32_t>(run_length(device_->info()));
   frame.indexed = job.entries != nullptr ? 1 : 0;
   frame.strokes = job.surface->stroke().name() != 0 ? 1 : 0;
+  frame.link_words = static_cast<std::uint32_t>(table.links().row_words());
   frame.layered = job.layer != nullptr ? 1 : 0;
   frame_.write(0, std::span<const FrameBlock>(&frame, 1));
   const auto write = [](GlBuffer& buffer, std::span<const std::byte> bytes) {
@@ -93,6 +95,7 @@ Result<void> Relight::upload(const RelightJob& job) {
   write(ambient_, table.ambient());
   write(style_, table.style());
   for (std::size_t i = 0; i < light_types_.size(); ++i) write(light_types_[i], table.light_type(i));
+  LUM_TRY_VOID(links_.assign(*device_, std::span<const std::uint32_t>(table.links().words())));
   LUM_TRY_VOID(candidates_.assign(*device_, std::span<const CandidateTable::Row>(table.candidates())));
   return lights_.assign(*device_, std::span<const CandidateTable::Row>(table.lights()));
 }
@@ -117,6 +120,7 @@ Result<void> Relight::run(const RelightJob& job) {
   (job.visibility != nullptr ? *job.visibility : nothing_).bind_storage(binding::kVisibility);
   candidates_.buffer().bind_storage(binding::kCandidates);
   lights_.buffer().bind_storage(binding::kLights);
+  (job.table->links().words().empty() ? nothing_ : links_.buffer()).bind_storage(binding::kLinks);
   job.colors->bind_storage(binding::kColors);
   (job.surface->stroke().name() != 0 ? job.surface->stroke() : nothing_).bind_storage(binding::kStrokes);
   for (std::size_t i = 0; i < textures_.size(); ++i) textures_[i].bind(static_cast<GLuint>(i));

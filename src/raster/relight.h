@@ -1,6 +1,8 @@
 #pragma once
 // raster/relight.h -- runs shade() over samples: one candidate for a picture, many for a solver.
 #include <cstdint>
+#include <string>
+#include <vector>
 
 #include "base/files.h"
 #include "gpu/device.h"
@@ -56,7 +58,10 @@ class Relight {
   /// load_style_texture(), kLimit.
   static Result<Relight> create(Device& device, const LightTypes& types, const Style& style, const AssetRoots& roots);
 
-  [[nodiscard]] CandidateTable make_table() const { return CandidateTable(layout_, *types_); }
+  /// object_names as SurfaceBuffer has them.
+  [[nodiscard]] CandidateTable make_table(const std::vector<std::string>& object_names) const {
+    return CandidateTable(layout_, *types_, object_names);
+  }
 
   /// Writes job.colors. errors kLimit if memory runs out. cost one dispatch.
   Result<void> run(const RelightJob& job);
@@ -77,6 +82,7 @@ class Relight {
   std::vector<GlTexture> textures_;  ///< of the style
   GrowingBuffer candidates_{BufferUse::kStorage, "relight candidates"};
   GrowingBuffer lights_{BufferUse::kStorage, "relight lights"};
+  GrowingBuffer links_{BufferUse::kStorage, "light links"};
   GlBuffer nothing_;  ///< bound where a job has no entries or visibility
 };
 

@@ -38,7 +38,7 @@ SourceChunk bindings_chunk() {
       {"ALBEDO", binding::kAlbedo},   {"SPECULAR", binding::kSpecular},     {"EMISSIVE", binding::kEmissive},
       {"ENTRIES", binding::kEntries}, {"VISIBILITY", binding::kVisibility}, {"CANDIDATES", binding::kCandidates},
       {"LIGHTS", binding::kLights},   {"COLORS", binding::kColors},         {"LAYER", binding::kLayer},
-      {"STROKES", binding::kStrokes},
+      {"STROKES", binding::kStrokes}, {"LINKS", binding::kLinks},
   };
   std::string text;
   for (const auto& [name, number] : names) text += fmt::format("#define LUM_{} {}\n", name, number);
@@ -64,13 +64,15 @@ SourceChunk blocks_chunk(const std::vector<Block>& blocks, const LightTypes& typ
   return {"<generated parameters>", text};
 }
 
-/// light(i, s): calls the sample function of the light's type, then applies the shadow and its density.
+/// light(i, s): nothing where the light is not linked to the object, else what the sample function of its type says, to
+/// which the shadow with its density is applied.
 SourceChunk lights_chunk(const std::vector<Block>& blocks, const LightTypes& types) {
   std::string text =
       "LightSample light(int i, Surface s) {\n"
-      "  LightSample l = LightSample(s.normal, vec3(0.0), 0.0, 1.0, 1.0);\n"
+      "  LightSample l = LightSample(s.normal, vec3(0.0), 0.0, 1.0, 1.0, false);\n"
       "  if (i < 0 || i >= light_count()) return l;\n"
       "  uvec4 ref = lum_lights[lum_candidate.x + uint(i)];\n"
+      "  if (ref.w < LUM_KEY_OF_ALL && !lum_link(ref.w, s.object)) return l;\n"
       "  float density = 1.0;\n";
   for (std::size_t i = 0; i < types.all().size(); ++i) {
     const LightType& type = types.all()[i];
@@ -83,6 +85,8 @@ SourceChunk lights_chunk(const std::vector<Block>& blocks, const LightTypes& typ
   }
   text +=
       "  l.lit = ref.z == LUM_NONE ? 1.0 : lum_visibility[ref.z * lum_frame.samples + lum_sample];\n"
+      "  l.key = ref.w == LUM_KEY_OF_ALL ||\n"
+      "          (ref.w < LUM_KEY_OF_ALL && lum_link(ref.w + lum_frame.link_words, s.object));\n"
       "  l.visibility = 1.0 - density * (1.0 - l.lit);\n"
       "  return l;\n"
       "}\n";

@@ -6,8 +6,8 @@
 
 namespace luminist {
 
-/// A strip of levels as numbers (thresholds are no colours); another picture with its channels, linear numbers,
-/// clamped. errors those of read_image() and GlTexture.
+/// A strip of levels as numbers (thresholds are no colours); another picture with its channels, linear numbers
+/// or colours, clamped. errors those of read_image() and GlTexture.
 Result<GlTexture> load_style_texture(Device& device, const StyleTexture& texture);
 
 }  // namespace luminist

@@ -19,6 +19,7 @@ struct Light {
   std::string group;
   bool muted = false;
   ParamBlock params;
+  std::vector<std::string> objects = {};  ///< patterns of the objects that it lights (rig/light_links.h); empty: all
 };
 
 struct LightRig {
@@ -45,7 +46,8 @@ LightRig empty_rig(const LightTypes& types, const SceneFrame& frame);
 Result<Light> make_light(const LightTypes& types, const std::string& type, const std::string& name,
                          const SceneFrame& frame);
 
-/// A rig file: TOML, `shadow_light`, [ambient], [[light]] tables with name, type, group, muted and the parameters by
+/// A rig file: TOML, `shadow_light`, [ambient], [[light]] tables with name, type, group, muted, `objects =
+/// ["creature*"]` (what the light lights; whether such objects exist is check_links()'s to say) and the parameters by
 /// their manifest names; `unlocked = ["color", ...]` where a saved rig differs from the schema's own choice;
 /// [[key]] tables as of read_keys(); [[constraint]] tables with `light` and one of `on_plane = {point, normal}`,
 /// `at_distance = {distance, from}`, `mirror_of = {light, point, normal}` and `same_color = {light, factor}`, which are

@@ -31,6 +31,7 @@ Result<Light> read_light(const TomlValue& table, const LightRig& rig, const std:
               "use 1 to 255 characters, none of them / * = :");
   }
   light->muted = read.boolean("muted", false);
+  light->objects = read.strings("objects");
   read_params(read, light->params);
   LUM_TRY_VOID(read.finish());
   return light;
@@ -97,6 +98,11 @@ std::string rig_to_toml(const LightRig& rig) {
     text += fmt::format("\n[[light]]\nname = {}\ntype = {}\n", toml_string(light.name), toml_string(light.type));
     if (!light.group.empty()) text += fmt::format("group = {}\n", toml_string(light.group));
     if (light.muted) text += "muted = true\n";
+    if (!light.objects.empty()) {
+      std::vector<std::string> quoted;
+      for (const std::string& pattern : light.objects) quoted.push_back(toml_string(pattern));
+      text += fmt::format("objects = [{}]\n", fmt::join(quoted, ", "));
+    }
     text += params_to_toml(light.params);
   }
   return text + constraints_to_toml(rig) + keys_to_toml(rig);

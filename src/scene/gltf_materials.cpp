@@ -17,6 +17,8 @@
 namespace luminist {
 namespace {
 
+constexpr const char* kLineWidthField = ".extras.luminist.line_width_texture";
+
 bool inside(int index, std::size_t size) {
   return index >= 0 && static_cast<std::size_t>(index) < size;
 }
@@ -26,6 +28,8 @@ class Textures {
  public:
   Textures(const tinygltf::Model& model, std::string path, Diagnostics& diagnostics)
       : model_(&model), path_(std::move(path)), diagnostics_(&diagnostics) {}
+
+  [[nodiscard]] const std::string& path() const { return path_; }
 
   /// Asks for a texture; returns its index in the scene, or -1.
   Result<int> want(int texture, bool color, const std::string& field) {
@@ -119,6 +123,18 @@ float unit(double value) {
   return static_cast<float>(std::clamp(value, 0.0, 1.0));
 }
 
+/// The texture that extras name, or -1.
+Result<int> line_width_texture(const tinygltf::Material& material, const std::string& field, const std::string& path) {
+  const tinygltf::Value& extras = material.extras;
+  if (!extras.IsObject() || !extras.Has("luminist")) return -1;
+  const tinygltf::Value& ours = extras.Get("luminist");
+  if (!ours.IsObject() || !ours.Has("line_width_texture")) return -1;
+  const tinygltf::Value& index = ours.Get("line_width_texture");
+  if (index.IsInt() && index.GetNumberAsInt() >= 0) return index.GetNumberAsInt();
+  return Error{ErrorKind::kBadContent, "this is no texture's index", path, field + kLineWidthField,
+               "give the place of one in the file's textures, from 0"};
+}
+
 Result<Material> material_of(const tinygltf::Material& from, const std::string& field, Textures& textures) {
   Material to;
   to.name = from.name;
@@ -134,6 +150,8 @@ Result<Material> material_of(const tinygltf::Material& from, const std::string& 
                                                        field + ".metallicRoughnessTexture"));
   LUM_TRY(to.normal_texture, textures.want(from.normalTexture.index, false, field + ".normalTexture"));
   LUM_TRY(to.emissive_texture, textures.want(from.emissiveTexture.index, true, field + ".emissiveTexture"));
+  LUM_TRY(const int mask, line_width_texture(from, field, textures.path()));
+  LUM_TRY(to.line_width_texture, textures.want(mask, false, field + kLineWidthField));
   return to;
 }
 

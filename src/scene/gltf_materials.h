@@ -12,8 +12,9 @@ class Model;
 
 namespace luminist {
 
-/// Appends every material of the file, a default one behind them, and the textures they use, decoded in one go. A
-/// picture that is not there is left out with a warning. errors kBadContent for one that is broken.
+/// Appends every material of the file (`"extras": {"luminist": {"line_width_texture": 2}}` is its mask of line widths),
+/// a default one behind them, and the textures they use, decoded in one go. A picture that is not there is left out
+/// with a warning. errors kBadContent for one that is broken.
 Result<void> add_gltf_materials(const tinygltf::Model& model, const std::string& path, Scene& scene,
                                 Diagnostics& diagnostics);
 

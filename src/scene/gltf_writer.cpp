@@ -77,11 +77,12 @@ int GltfWriter::add_vectors(const std::vector<Vector>& values, int type, int tar
   return static_cast<int>(model_.accessors.size()) - 1;
 }
 
-/// A texture is data (a normal map, roughness) or colour by who uses it; only colour is stored with a transfer curve.
+/// A texture is data (a normal map, roughness, line widths) or colour by who uses it; only colour is stored with a
+/// transfer curve.
 Result<void> GltfWriter::add_textures() {
   std::vector<bool> is_data(scene_->textures.size());
   for (const Material& m : scene_->materials) {
-    for (const int index : {m.normal_texture, m.metallic_roughness_texture}) {
+    for (const int index : {m.normal_texture, m.metallic_roughness_texture, m.line_width_texture}) {
       if (index >= 0) is_data[static_cast<std::size_t>(index)] = true;
     }
   }
@@ -129,6 +130,11 @@ void GltfWriter::add_materials() {
       if (model_.extensionsUsed.empty()) model_.extensionsUsed.emplace_back("KHR_materials_emissive_strength");
     }
     to.doubleSided = from.double_sided;
+    if (from.line_width_texture >= 0) {
+      tinygltf::Value::Object mask{{"line_width_texture", tinygltf::Value(from.line_width_texture)}};
+      tinygltf::Value::Object ours{{"luminist", tinygltf::Value(std::move(mask))}};
+      to.extras = tinygltf::Value(std::move(ours));
+    }
     model_.materials.push_back(std::move(to));
   }
 }

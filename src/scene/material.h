@@ -13,6 +13,9 @@ struct Texture {
   Image image;           ///< 3 or 4 channels
   bool repeat_u = true;  ///< else clamped
   bool repeat_v = true;
+
+  /// Red at a place of the picture, linear between the centres of its pixels; u to the right, v down. cost O(1).
+  [[nodiscard]] float red_at(const Vec2& uv) const;
 };
 
 /// Factors multiply textures; a texture index of -1 means none.
@@ -27,6 +30,7 @@ struct Material {
   int metallic_roughness_texture = -1;  ///< green: roughness, blue: metallic
   int normal_texture = -1;
   int emissive_texture = -1;
+  int line_width_texture = -1;  ///< red: 0 to 1, share of an outline's width there
   bool double_sided = true;
 };
 

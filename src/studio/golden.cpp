@@ -9,6 +9,7 @@
 
 #include "image_io/image_io.h"
 #include "render/metric.h"
+#include "rig/light_links.h"
 #include "studio/heat_map.h"
 #include "studio/stage.h"
 
@@ -142,7 +143,8 @@ Result<GoldenOutcome> run_golden(Device& device, const AssetRoots& roots, const 
   shot.style = golden.style.empty() ? style.name : fmt::format("{}+{}", golden.style, style.name);
   shot.set = golden.set;
   LUM_TRY(const auto stage, open_stage(device, roots, shot, style.folder, diagnostics));
-  LUM_TRY(const ParamState state, starting_state(*stage, roots, shot, style.folder));
+  LUM_TRY(ParamState state, starting_state(*stage, roots, shot, style.folder));
+  LUM_TRY_VOID(link_lights(state.rig, golden.link, stage->object_names()));
   LUM_TRY(Image picture, stage->renderer->render(state));
   const auto in_output = [&](const char* ending) { return (output / (golden.name + ending)).string(); };
   const std::string file = in_output(".exr");

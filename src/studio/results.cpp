@@ -100,6 +100,7 @@ Json solve_to_json(const SolveReport& report, const ParamState& state, const std
                       {"type", light.type},
                       {"group", light.group},
                       {"muted", light.muted},
+                      {"objects", light.objects},
                       {"unlocked", std::move(unlocked)},
                       {"params", block_to_json(light.params)}});
   }

@@ -38,8 +38,8 @@ Result<void> write_results(const Results& results, const std::filesystem::path& 
 Image importance_picture(const Image& importance);
 
 /// {"epsilon_start", "epsilon", "evals", "render_equivalents", "seconds", "solver", "termination", "lights": [{"name",
-/// "type", "group", "muted", "unlocked", "params"}], "ambient": {parameter: value}, "style": {parameter: value},
-/// "verdict" if there is one: verdict_to_json()}
+/// "type", "group", "muted", "objects", "unlocked", "params"}], "ambient": {parameter: value}, "style": {parameter:
+/// value}, "verdict" if there is one: verdict_to_json()}
 nlohmann::json solve_to_json(const SolveReport& report, const ParamState& state,
                              const std::optional<Verdict>& verdict = std::nullopt);
 /// One JSON object a line: render_equivalents, evals, seconds, epsilon.

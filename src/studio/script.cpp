@@ -36,6 +36,7 @@ const std::vector<ScriptRunner::Verb>& ScriptRunner::verbs() {
       {"add_light", {"type", "name", "group", "from_paint", "lock_others", "count"}, &R::add_light},
       {"remove_light", {"light"}, &R::remove_light},
       {"mute", {"light", "muted"}, &R::mute},
+      {"link_light", {"light", "objects"}, &R::link_light},
       {"share_shadows", {"light"}, &R::share_shadows},
       {"load_rig", {"rig"}, &R::load_rig},
       {"style", {"name"}, &R::style},
@@ -177,6 +178,12 @@ Result<void> ScriptRunner::mute(const Action& action) {
   LUM_TRY(const std::string light, action.needed_text("light"));
   LUM_TRY(const auto muted, action.flag("muted"));
   return session_->set_muted(light, muted.value_or(true));
+}
+
+Result<void> ScriptRunner::link_light(const Action& action) {
+  LUM_TRY(const std::string light, action.needed_text("light"));
+  LUM_TRY(const std::vector<std::string> objects, action.texts("objects"));
+  return session_->link_light(light, objects);
 }
 
 Result<void> ScriptRunner::share_shadows(const Action& action) {

@@ -33,8 +33,9 @@ SolveReport report_of(const LiveMeasure& measure) {
 }  // namespace
 
 std::size_t ScriptRunner::live_group(std::span<const Action> actions) {
-  constexpr std::array<std::string_view, 9> kPreparing{
-      "add_light", "lock", "unlock", "constrain", "set_constraints", "set", "importance", "mute", "share_shadows"};
+  constexpr std::array<std::string_view, 10> kPreparing{"add_light",       "lock",         "unlock",     "constrain",
+                                                        "set_constraints", "set",          "importance", "mute",
+                                                        "link_light",      "share_shadows"};
   if (actions.empty() || actions.front().verb() != "paint") return 0;
   for (std::size_t i = 1; i < actions.size(); ++i) {
     if (actions[i].verb() == "solve") return i + 1;

@@ -58,6 +58,7 @@ class ScriptRunner {
   Result<void> remove_light(const Action& action);
   Result<void> constrain(const Action& action);
   Result<void> mute(const Action& action);
+  Result<void> link_light(const Action& action);
   Result<void> share_shadows(const Action& action);
   Result<void> load_rig(const Action& action);
   Result<void> style(const Action& action);

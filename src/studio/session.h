@@ -57,17 +57,17 @@ class Session : private SessionData {
   [[nodiscard]] bool locks_chosen() const { return locks_chosen_; }  ///< since the session was opened
   /// Locks the other lights unless told otherwise. returns its name. errors kNothingToDo without light paint, kUsage.
   Result<std::string> add_light(const NewLight& wanted);
-  /// Several at once, one for each kind of paint: by place, colour and strength. returns their names, fewer than count
-  /// if there are fewer kinds. errors as above.
+  /// Several at once, by the paint's places, colours and strengths; fewer if it has fewer kinds. returns their names.
   Result<std::vector<std::string>> add_lights(int count, const NewLight& wanted);
   /// Its constraints, and those that name it, are dropped with a warning.
   Result<void> remove_light(const std::string& name);
-  /// What holds of lights from now on, in place of what held; the lights go where it holds. errors kUsage for what no
-  /// rig can keep (find_fault()).
+  /// What holds of lights from now on; they go where it holds. errors kUsage for what no rig can keep (find_fault()).
   Result<void> set_constraints(std::vector<Constraint> constraints);
   /// Adds constraints in words (parse_constraint()); one replaces that of its light and kind. errors as both.
   Result<void> constrain(const std::vector<std::string>& words);
   Result<void> set_muted(const std::string& name, bool muted);
+  /// That light, or all of "group:NAME", lights only the objects that match; none: all. errors those of link_light().
+  Result<void> link_light(const std::string& name, const std::vector<std::string>& patterns);
   /// All lights use that light's shadow map; "" for each its own.
   Result<void> share_shadows(const std::string& name);
   /// Replaces the lights by those of a file. errors those of find_input() and load_rig().
@@ -89,8 +89,8 @@ class Session : private SessionData {
   /// Strokes, with their nu and delta; path is their file's, for messages and copies. errors those of Canvas::apply().
   Result<void> paint(const StrokeFile& strokes, const std::string& path);
   Result<void> set_importance(float nu, float delta);
-  /// A target made elsewhere, in place of paint; other sizes are scaled, pixels that are not finite do not count (both
-  /// with a warning). Without an importance map every pixel counts 1. errors kBadContent.
+  /// A target made elsewhere, in place of paint; other sizes are scaled, what is not finite does not count (both with a
+  /// warning). Without an importance map every pixel counts 1. errors kBadContent.
   Result<void> set_target(const Image& color, const std::optional<Image>& importance);
   Result<void> clear_paint();  ///< errors kNothingToDo
 

@@ -6,6 +6,7 @@
 
 #include "project/paint_document.h"
 #include "project/state_document.h"
+#include "rig/light_links.h"
 #include "studio/constraint_words.h"
 #include "studio/session.h"
 
@@ -22,6 +23,12 @@ Result<Light*> find_light(ParamState& state, const std::string& name) {
   return Error{
       ErrorKind::kUsage, fmt::format("there is no light \"{}\"", name), "", "light",
       near.empty() ? fmt::format("there are: {}", fmt::join(names, ", ")) : fmt::format("did you mean \"{}\"?", near)};
+}
+
+Result<void> check_group(const std::string& group) {
+  if (group.empty() || is_light_name(group)) return {};
+  return Error{ErrorKind::kUsage, fmt::format("\"{}\" is no name for a group", group), "", "group",
+               "use 1 to 255 characters, none of them / * = :"};
 }
 
 }  // namespace
@@ -57,6 +64,7 @@ Result<StartLight> Session::start_light() {
 }
 
 Result<std::string> Session::add_light(const NewLight& wanted) {
+  LUM_TRY_VOID(check_group(wanted.group));
   ParamState next = state_;
   for (Light& light : next.rig.lights) {
     if (wanted.lock_others) light.params.set_param_locked(-1, true);
@@ -80,6 +88,7 @@ Result<std::string> Session::add_light(const NewLight& wanted) {
 }
 
 Result<std::vector<std::string>> Session::add_lights(int count, const NewLight& wanted) {
+  LUM_TRY_VOID(check_group(wanted.group));
   LUM_TRY(const Canvas* canvas, this->canvas());
   LUM_TRY(const std::vector<StartLight> starts,
           estimate_start_lights(count, stage_->renderer->surface(), canvas->target(), stage_->frame));
@@ -138,6 +147,15 @@ Result<void> Session::set_muted(const std::string& name, bool muted) {
                       Json{{"do", "mute"}, {"light", name}, {"muted", muted}}.dump(), std::move(next));
 }
 
+Result<void> Session::link_light(const std::string& name, const std::vector<std::string>& patterns) {
+  ParamState next = state_;
+  LUM_TRY_VOID(luminist::link_light(next.rig, name, patterns, stage_->object_names()));
+  const std::string label = patterns.empty() ? fmt::format("{} lights everything", name)
+                                             : fmt::format("{} lights only {}", name, fmt::join(patterns, ", "));
+  return commit_state(label, Json{{"do", "link_light"}, {"light", name}, {"objects", patterns}}.dump(),
+                      std::move(next));
+}
+
 Result<void> Session::share_shadows(const std::string& name) {
   ParamState next = state_;
   if (!name.empty()) LUM_TRY_VOID(find_light(next, name));
@@ -150,6 +168,7 @@ Result<void> Session::load_rig(const std::string& path, const std::filesystem::p
   ParamState next = state_;
   LUM_TRY(const std::string file, find_input(path, folder, roots_));
   LUM_TRY(next.rig, luminist::load_rig(file, stage_->types, stage_->frame));
+  LUM_TRY_VOID(check_links(next.rig, stage_->object_names(), file));
   pose(next.rig, shot_.frame);
   return commit_state("Load the rig " + path, Json{{"do", "load_rig"}, {"rig", path}}.dump(), std::move(next));
 }

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "render/param_state.h"
+#include "rig/light_links.h"
 
 namespace luminist {
 namespace {
@@ -61,12 +62,17 @@ Result<std::unique_ptr<Stage>> open_stage(Device& device, const AssetRoots& root
   return stage;
 }
 
+std::span<const std::string> Stage::object_names() const {
+  return std::span(renderer->surface().object_names).subspan(1);
+}
+
 Result<ParamState> starting_state(const Stage& stage, const AssetRoots& roots, const Shot& shot,
                                   const std::filesystem::path& folder) {
   ParamState state = initial_state(stage.types, stage.style, stage.frame);
   if (!shot.rig.empty()) {
     LUM_TRY(const std::string path, find_input(shot.rig, folder, roots));
     LUM_TRY(state.rig, load_rig(path, stage.types, stage.frame));
+    LUM_TRY_VOID(check_links(state.rig, stage.object_names(), path));
   } else if (!stage.scene_lights.empty()) {
     LUM_TRY(state.rig.lights, from_punctual(stage.scene_lights, stage.types, stage.frame));
   }

@@ -1,6 +1,8 @@
 #pragma once
 // studio/stage.h -- a shot, loaded: scene, camera, style, light types and the engine that draws them.
 #include <memory>
+#include <span>
+#include <string>
 #include <vector>
 
 #include "base/diagnostics.h"
@@ -25,6 +27,8 @@ struct Stage {
   std::shared_ptr<Scene> moving;  ///< the scene itself, to be posed again; null where nothing moves
   std::unique_ptr<RasterRenderer> renderer;
   std::shared_ptr<const EdgeMask> edges;  ///< of the renderer's surface, for every solve on it
+
+  [[nodiscard]] std::span<const std::string> object_names() const;  ///< of the scene; valid while the renderer is
 };
 
 /// The shot's scene at the shot's frame. device outlives the stage. Paths of the shot are looked for below folder, then
@@ -37,7 +41,7 @@ Result<std::unique_ptr<Stage>> open_stage(Device& device, const AssetRoots& root
 
 /// The lights that a shot starts with: its rig file, or the lights in the scene, or none, at the shot's frame; then its
 /// settings.
-/// errors those of load_rig() and set_path().
+/// errors those of load_rig(), check_links() and set_path().
 Result<ParamState> starting_state(const Stage& stage, const AssetRoots& roots, const Shot& shot,
                                   const std::filesystem::path& folder);
 

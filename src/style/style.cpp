@@ -19,6 +19,7 @@ constexpr double kMaxBlur = 0.5;
 constexpr int kMaxLevels = 12;
 constexpr std::size_t kMaxTextures = 8;
 constexpr const char* kSumWord = "sum";
+constexpr const char* kKeyWord = "key";
 
 void read_lights(TomlReader& read, Style& style) {
   const std::string word = read.string("lights", "joint");
@@ -69,6 +70,7 @@ Result<StyleTexture> read_texture(const TomlValue& table, const Style& style, co
   texture.name = read.string("name");
   texture.path = read_beside(read, manifest, "file");
   texture.levels = read.integer("levels", 0);
+  texture.colors = read.boolean("colors", false);
   const auto is_taken = [&](const StyleTexture& other) { return other.name == texture.name; };
   if (!is_texture_name(texture.name)) {
     read.fail("name", fmt::format("\"{}\" cannot name a texture", texture.name),
@@ -77,6 +79,8 @@ Result<StyleTexture> read_texture(const TomlValue& table, const Style& style, co
     read.fail("name", fmt::format("two textures are named \"{}\"", texture.name), "rename one of them");
   }
   if (texture.path.empty()) read.fail("file", "a texture needs a picture", "name it, as file = \"textures/ink.png\"");
+  if (texture.colors && texture.levels > 0)
+    read.fail("colors", "a strip of levels holds numbers", "take one of them out");
   if (texture.levels < 0 || texture.levels > kMaxLevels) {
     read.fail("levels", fmt::format("{} levels are outside 0 to {}", texture.levels, kMaxLevels));
   }
@@ -126,6 +130,7 @@ Result<GoldenCase> read_golden(const TomlValue& table, const Style& style, const
   golden.camera = read.string("camera", "");
   golden.width = read_side(read, "width");
   golden.height = read_side(read, "height");
+  golden.link = read.strings("link");
   golden.set = read.strings("set");
   golden.max_difference = read_difference(read, "max_difference");
   golden.mean_difference = read_difference(read, "mean_difference");
@@ -157,7 +162,8 @@ LightCombination Style::combination(const ParamBlock& params) const {
   if (lights_param < 0) return lights;
   const std::vector<std::string>& choices = (*schema)[lights_param].choices;
   const auto choice = static_cast<std::size_t>(std::max(0.0, params.get(lights_param)));
-  return choice < choices.size() && choices[choice] == kSumWord ? LightCombination::kSum : LightCombination::kJoint;
+  const bool sums = choice < choices.size() && (choices[choice] == kSumWord || choices[choice] == kKeyWord);
+  return sums ? LightCombination::kSum : LightCombination::kJoint;
 }
 
 namespace {

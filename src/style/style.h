@@ -25,7 +25,8 @@ struct StyleMetric {
 struct StyleTexture {
   std::string name;
   std::string path;
-  int levels = 0;  ///< of a strip; 0: an ordinary picture of one level, clamped at its sides
+  int levels = 0;       ///< of a strip; 0: an ordinary picture of one level, clamped at its sides
+  bool colors = false;  ///< integer files hold sRGB, as pictures do, and are read as linear colours; else numbers
 };
 
 /// One golden picture: a shot, rendered and compared with golden/<name>.exr by two numbers and the reason for them.
@@ -37,8 +38,9 @@ struct GoldenCase {
   std::string camera;  ///< empty: the first
   int width = 256;
   int height = 256;
-  std::vector<std::string> set;  ///< "path=value"
-  double max_difference = 0.0;   ///< of any channel, absolute below 1 and relative above
+  std::vector<std::string> link;  ///< "light=objects", see rig/light_links.h
+  std::vector<std::string> set;   ///< "path=value"
+  double max_difference = 0.0;    ///< of any channel, absolute below 1 and relative above
   double mean_difference = 0.0;
   bool blurred = false;  ///< compared as the style's metric blurs it
   std::string reason;    ///< why these two numbers; required
@@ -65,7 +67,8 @@ struct Style {
 };
 
 /// Reads styles/<name>/style.toml: `doc`, `shade` (the GLSL file), `lights = "sum" | "joint"` or the name
-/// of a [[param]] of type choice, one of whose words is "sum" (any other is joint), `strokes`, [metric] `blur`,
+/// of a [[param]] of type choice, one of whose words is "sum" ("key", one term a light for the objects whose key it is,
+/// is a sum too; any other is joint), `strokes`, [metric] `blur`,
 /// [[param]], [[texture]], [[golden]]. A manifest with `ink` in place of `shade` draws lines over another style:
 /// "toon+outline" is both, with the parameters of both. errors kStyle at path:line:col with the nearest valid key;
 /// kMissing with the styles there are; kUsage for a stack that is none.

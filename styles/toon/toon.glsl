@@ -6,6 +6,10 @@ const float kFootprintFeather = 0.08;  // a barn's edge is wide on the picture
 const float kShadowFeather = 0.2;      // a shadow's edge is a few pixels
 const float kLeadFeather = 0.03;       // of two lights' sum, where the stronger one takes over
 
+// Words of style.combine.
+const int kStrongest = 1;
+const int kKey = 2;
+
 // 0 in the dark region, 1 in the brightest band.
 float tone(float cosine) {
   float sum = soft_threshold(style.threshold, style.feather, cosine);
@@ -52,13 +56,15 @@ vec3 shade(Surface s) {
   vec3 first = vec3(0.0);
   vec3 second = vec3(0.0);
   for (int i = 0; i < light_count(); ++i) {
-    vec3 drawn = drawn_by(light(i, s), s);
+    LightSample l = light(i, s);
+    if (style.combine == kKey && !l.key) continue;
+    vec3 drawn = drawn_by(l, s);
     sum += drawn;
     bool leads = luminance(drawn) > luminance(first);
     if (leads || luminance(drawn) > luminance(second)) second = leads ? first : drawn;
     if (leads) first = drawn;
   }
-  if (style.combine == 0) return below + sum;
+  if (style.combine != kStrongest) return below + sum;
   // The lead changes hands over a short way, so that its edge is as smooth as the others.
   float lead = luminance(first - second) / max(luminance(first + second), 1e-6);
   return below + mix(second, first, soft_threshold(0.0, kLeadFeather, lead));

@@ -35,6 +35,23 @@ TEST_F(CliTest, SetsParametersAndStylesOfAShot) {
   EXPECT_NE(outside.err.find("style/feather: 9 is outside the range 0 to 0.5"), std::string::npos) << outside.err;
 }
 
+TEST_F(CliTest, LinksLightsToObjectsAndRefusesOthers) {
+  const std::string render = "render ball.obj --size 32x32 --rig rig.toml ";
+  ASSERT_EQ(luminist(render + "-o all.exr").status, 0);
+  ASSERT_EQ(luminist(render + "--link 'key=fl*' -o floor.exr").status, 0);
+  EXPECT_NE(read("all.exr"), read("floor.exr"));
+  write("linked.toml", "[[light]]\nname = \"key\"\ntype = \"cinematic\"\nobjects = [\"fl*\"]\n");
+  ASSERT_EQ(luminist("render ball.obj --size 32x32 --rig linked.toml -o file.exr").status, 0);
+  EXPECT_EQ(read("file.exr"), read("floor.exr"));
+  const Outcome missing = luminist(render + "--link key=bal -o bad.exr");
+  expect_error(missing, 2);
+  EXPECT_NE(missing.err.find("did you mean \"ball\"?"), std::string::npos) << missing.err;
+  write("typo.toml", "[[light]]\nname = \"key\"\ntype = \"cinematic\"\nobjects = [\"flor\"]\n");
+  const Outcome typo = luminist("render ball.obj --size 32x32 --rig typo.toml -o bad.exr");
+  expect_error(typo, 2);
+  EXPECT_NE(typo.err.find("typo.toml"), std::string::npos) << typo.err;
+}
+
 TEST_F(CliTest, PaintsATargetWithItsImportanceBeside) {
   const Outcome outcome = luminist("paint ball.obj light.json --size 64x48 -o target.exr");
   EXPECT_EQ(outcome.status, 0) << outcome.err;

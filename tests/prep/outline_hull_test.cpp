@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <map>
 #include <random>
 #include <utility>
@@ -55,6 +56,43 @@ TEST(OutlineHull, KeepsTheWidthsOfTheMesh) {
         EXPECT_EQ(hull.widths[v], mesh.line_widths[i]);
       }
     }
+  }
+}
+
+TEST(OutlineHull, MultipliesItsWidthsByTheRedOfAMask) {
+  Mesh mesh = plane();
+  mesh.uvs = {{0.25F, 0.5F}, {0.75F, 0.5F}, {0.75F, 0.5F}, {0.5F, 0.5F}};
+  Texture mask{"mask", Image(2, 1, 3, 0.9F), false, false};
+  mask.image.set_rgb(0, Vec3(0.0F, 1.0F, 1.0F));
+  mask.image.set_rgb(1, Vec3(1.0F, 0.0F, 0.0F));
+  const std::array<float, 4> wanted{0.0F, 1.0F, 1.0F, 0.5F};  // pixels' centres, and half-way between them
+  const auto expect = [&](float factor) {
+    const OutlineHull hull = outline_hull(mesh, &mask);
+    for (std::size_t v = 0; v < hull.positions.size(); ++v) {
+      for (std::size_t i = 0; i < 4; ++i) {
+        if (hull.positions[v] == mesh.positions[i]) {
+          EXPECT_FLOAT_EQ(hull.widths[v], factor * wanted[i]);
+        }
+      }
+    }
+  };
+  expect(1.0F);
+  mesh.line_widths.assign(4, 0.5F);
+  expect(0.5F);
+  mesh.uvs.clear();
+  for (const float width : outline_hull(mesh, &mask).widths) EXPECT_EQ(width, 0.5F) << "without uvs no mask";
+}
+
+TEST(OutlineHull, TakesTheLeastOfTheCornersThatAreJoinedInIt) {
+  Mesh mesh = plane();
+  mesh.positions = {{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 0, 0}, {2, 1, 0}, {0, 1, 0}};
+  mesh.triangles = {{0, 1, 2}, {3, 4, 5}};
+  mesh.normals.assign(6, Vec3(0, 0, 1));
+  mesh.line_widths = {0.2F, 1.0F, 0.7F, 0.4F, 0.3F, 1.0F};  // the diagonal's ends twice
+  const OutlineHull hull = outline_hull(mesh);
+  for (std::size_t v = 0; v < hull.positions.size(); ++v) {
+    const Vec3& p = hull.positions[v];
+    EXPECT_EQ(hull.widths[v], p == Vec3(0, 0, 0) ? 0.2F : p == Vec3(2, 1, 0) ? 0.3F : 1.0F);
   }
 }
 

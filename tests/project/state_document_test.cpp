@@ -30,6 +30,7 @@ class StateDocument : public testing::Test {
     }
     state.rig.lights[0].group = "fill";
     state.rig.lights[1].muted = true;
+    state.rig.lights[1].objects = {"head", "wing_*"};
     state.rig.shadow_light = "my point";
     for (ParamBlock* block : state.blocks()) {
       for (int param = 0; param < block->schema().size(); ++param) {
@@ -65,7 +66,20 @@ TEST_F(StateDocument, KeepsEveryBitAndEveryLock) {
     }
     EXPECT_EQ(read.rig.lights[0].group, "fill");
     EXPECT_TRUE(read.rig.lights[1].muted);
+    EXPECT_TRUE(read.rig.lights[0].objects.empty());
+    EXPECT_EQ(read.rig.lights[1].objects, written.rig.lights[1].objects);
     EXPECT_EQ(read.rig.shadow_light, "my point");
+  }
+}
+
+TEST_F(StateDocument, RefusesLinksThatAreNoListOfNames) {
+  for (const char* value : {"3", "[1]", "{}", "\"head\"", "oops"}) {
+    Document document;
+    write_state(random_state(1), document);
+    document.set("lights/my point/@objects", value);
+    const auto read = read_state(document, types_, style_, frame_);
+    ASSERT_FALSE(read) << value;
+    EXPECT_EQ(read.error().field, "lights/my point/@objects");
   }
 }
 

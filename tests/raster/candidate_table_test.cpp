@@ -19,7 +19,7 @@ class CandidateTableTest : public testing::Test {
   }
 
   [[nodiscard]] CandidateTable make_table(std::int64_t block_bytes = 65536) const {
-    return CandidateTable(relight_layout(block_bytes, *types_, *style_), *types_);
+    return CandidateTable(relight_layout(block_bytes, *types_, *style_), *types_, {"", "ball", "floor"});
   }
   /// Every light's column is 10 + its place in the rig.
   static std::uint32_t column(const LightRig&, int light) { return 10 + static_cast<std::uint32_t>(light); }
@@ -34,8 +34,8 @@ TEST_F(CandidateTableTest, ListsTheLightsOfARigWithTheirTypeBlockAndColumn) {
   ASSERT_TRUE(table.add({&*state_, Candidate::kAllLights}, column));
   const auto type = static_cast<std::uint32_t>(types_->index("cinematic"));
   EXPECT_EQ(table.candidates().at(0), (CandidateTable::Row{0, 2, 0, 0}));
-  EXPECT_EQ(table.lights().at(0), (CandidateTable::Row{type, 0, 10, 0}));
-  EXPECT_EQ(table.lights().at(1), (CandidateTable::Row{type, 1, 11, 0}));
+  EXPECT_EQ(table.lights().at(0), (CandidateTable::Row{type, 0, 10, LinkTable::kKeyOfAll}));
+  EXPECT_EQ(table.lights().at(1), (CandidateTable::Row{type, 1, 11, LinkTable::kEverything}));
   const auto fill = state_->rig.lights[1].params.bytes();
   const auto stored = table.light_type(type).subspan(fill.size(), fill.size());
   EXPECT_EQ(std::memcmp(stored.data(), fill.data(), fill.size()), 0);

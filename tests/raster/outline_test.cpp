@@ -177,6 +177,34 @@ TEST_F(OutlineTest, OfSomethingSmallIsAsWideInEveryDirection) {
   }
 }
 
+TEST_F(OutlineTest, IsMaskedByATextureOfTheMaterial) {
+  // The left half of the sphere has u = 0, the right half u = 1; the mask is black there and white here.
+  Mesh sphere = test::sphere_mesh(1.0F);
+  for (const Vec3& p : sphere.positions) sphere.uvs.emplace_back(p.x < 0.0F ? 0.0F : 1.0F, 0.5F);
+  Scene scene;
+  test::add(scene, sphere, "ball");
+  const Camera camera = test::looking(Vec3(0, 0, 6), Vec3(0));
+  const Image whole = draw(scene, camera, {width(4.0F)});
+  scene.textures.push_back({"mask", Image(2, 1, 3), false, false});
+  scene.textures[0].image.set_rgb(1, Vec3(1.0F));
+  scene.materials[0].line_width_texture = 0;
+  const Image masked = draw(scene, camera, {width(4.0F)});
+  float left = 0.0F;
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) {
+      // In the triangles between the halves, two pixels wide, the width grows.
+      if (x < kWidth / 2 - 4) left += ink(masked, x, y);
+      if (x > kWidth / 2 + 4) {
+        ASSERT_EQ(masked.rgb(masked.index(x, y)), whole.rgb(whole.index(x, y))) << x << ' ' << y;
+      }
+    }
+  }
+  EXPECT_EQ(left, 0.0F);
+  float across = 0.0F;
+  for (int x = 0; x < kWidth; ++x) across += ink(masked, x, kHeight / 2);
+  EXPECT_NEAR(across, 4.0F, 0.3F) << "samples lie a quarter of a pixel apart";
+}
+
 TEST_F(OutlineTest, OfNoWidthIsThePictureWithoutIt) {
   Scene scene;
   test::add(scene, test::box_mesh(), "cube");

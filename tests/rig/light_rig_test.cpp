@@ -149,6 +149,7 @@ LightRig random_rig(const LightTypes& types, const SceneFrame& frame, std::mt199
     Light light = *make_light(types, type.name, "light \"" + std::to_string(i) + "\" \\ é", frame);
     light.group = i % 2 == 0 ? "even" : "";
     light.muted = random() % 2 == 0;
+    if (i == 1) light.objects = {"creature*", "a \"quoted\" \\ name"};
     for (int p = 0; p < type.schema->size(); ++p) {
       const ParamSpec& spec = (*type.schema)[p];
       if (spec.type == ParamType::kDirection) {
@@ -175,6 +176,7 @@ void expect_same(const LightRig& a, const LightRig& b) {
     EXPECT_EQ(a.lights[i].type, b.lights[i].type);
     EXPECT_EQ(a.lights[i].group, b.lights[i].group);
     EXPECT_EQ(a.lights[i].muted, b.lights[i].muted);
+    EXPECT_EQ(a.lights[i].objects, b.lights[i].objects);
     EXPECT_TRUE(a.lights[i].params.same_values(b.lights[i].params)) << rig_to_toml(a);
     for (int dof = 0; dof < a.lights[i].params.schema().dofs(); ++dof) {
       EXPECT_EQ(a.lights[i].params.locked(dof), b.lights[i].params.locked(dof));

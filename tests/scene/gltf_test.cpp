@@ -132,6 +132,28 @@ TEST(Gltf, ReadsMaterialsAndTheirPictures) {
   EXPECT_TRUE(color.repeat_v);
 }
 
+TEST(Gltf, RefusesAMaskOfLineWidthsThatIsNoTexture) {
+  for (const char* index : {"7", "-2", "0.5", "\"mask\""}) {
+    const std::string more =
+        R"("materials":[{"extras":{"luminist":{"line_width_texture":)" + std::string(index) + "}}}],";
+    SceneFile file("a.gltf", tetrahedron_gltf(embedded_buffer(), more, R"([{"mesh":0}])", R"(,"material":0)"));
+    const auto scene = file.load();
+    ASSERT_FALSE(scene) << index;
+    EXPECT_EQ(scene.error().kind, ErrorKind::kBadContent);
+    EXPECT_EQ(scene.error().field, "materials[0].extras.luminist.line_width_texture") << index;
+  }
+}
+
+TEST(Gltf, TakesNoMaskFromTheExtrasOfOthers) {
+  for (const char* extras :
+       {"3", "{}", R"({"luminist":1})", R"({"luminist":{"other":2}})", R"({"line_width_texture":0})"}) {
+    const std::string more = R"("materials":[{"extras":)" + std::string(extras) + "}],";
+    SceneFile file("a.gltf", tetrahedron_gltf(embedded_buffer(), more, R"([{"mesh":0}])", R"(,"material":0)"));
+    LUM_ASSERT_OK(const Scene scene, file.load());
+    EXPECT_EQ(scene.materials[0].line_width_texture, -1) << extras;
+  }
+}
+
 TEST(Gltf, ReadsCamerasAndLights) {
   const std::string more =
       R"("extensionsUsed":["KHR_lights_punctual"],"extensions":{"KHR_lights_punctual":{"lights":[)"

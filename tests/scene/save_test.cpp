@@ -32,6 +32,7 @@ Scene rich_scene() {
                   .metallic_roughness_texture = 1,
                   .normal_texture = 1,
                   .emissive_texture = 0,
+                  .line_width_texture = 1,
                   .double_sided = false};
   scene.materials = {glazed, {.name = "plain"}};
   scene.objects.push_back({"jug", 0, 0, glm::rotate(Mat4(1.0F), 0.3F, Vec3(0, 1, 0)), false});
@@ -125,6 +126,7 @@ TEST(SavedScene, KeepsMaterialsPicturesAndLights) {
   EXPECT_TRUE(back.materials[1].double_sided);
   EXPECT_EQ(a.base_color_texture, a.emissive_texture);
   EXPECT_EQ(a.metallic_roughness_texture, a.normal_texture);
+  EXPECT_EQ(a.line_width_texture, a.normal_texture) << "numbers, stored as they are";
   const Texture& pattern = back.textures[static_cast<std::size_t>(a.base_color_texture)];
   EXPECT_EQ(pattern.name, "pattern");
   EXPECT_TRUE(pattern.repeat_u);

@@ -105,6 +105,7 @@ TEST_F(SessionTest, AddingALightLocksTheOthers) {
   LUM_EXPECT_OK(session_->add_light({.name = "key"}));
   LUM_EXPECT_OK(session_->paint(light_strokes(), "strokes.json"));
   LUM_EXPECT_OK(session_->add_light({.type = "point", .name = "fill", .group = "soft"}));
+  EXPECT_FALSE(session_->add_light({.name = "third", .group = "a:b"})) << "no rig file could hold it";
   const LightRig& rig = session_->state().rig;
   ASSERT_EQ(rig.lights.size(), 2U);
   int free_of_key = 0;
@@ -117,6 +118,23 @@ TEST_F(SessionTest, AddingALightLocksTheOthers) {
   EXPECT_GT(free_of_fill, 0);
   LUM_ASSERT_OK(const int count, session_->set_locked("lights/key/color", false));
   EXPECT_EQ(count, 3);
+}
+
+TEST_F(SessionTest, LinkingALightIsAGestureThatCanBeUndone) {
+  LUM_EXPECT_OK(session_->paint(light_strokes(), "strokes.json"));
+  LUM_EXPECT_OK(session_->add_light({.name = "key", .group = "hero"}));
+  const Image lit = picture();
+  LUM_EXPECT_OK(session_->link_light("group:hero", {"flo*"}));
+  EXPECT_EQ(session_->state().rig.lights[0].objects, (std::vector<std::string>{"flo*"}));
+  const Image linked = picture();
+  EXPECT_NE(linked.data, lit.data);
+  const auto wrong = session_->link_light("key", {"flor"});
+  ASSERT_FALSE(wrong);
+  EXPECT_NE(wrong.error().hint.find("floor"), std::string::npos) << wrong.error().message();
+  EXPECT_EQ(picture().data, linked.data);
+  LUM_EXPECT_OK(session_->undo());
+  EXPECT_TRUE(session_->state().rig.lights[0].objects.empty());
+  EXPECT_EQ(picture().data, lit.data);
 }
 
 TEST_F(SessionTest, AStartLightBrightensThePaint) {

@@ -31,6 +31,8 @@ TEST(ShippedStyles, GiveToonAThresholdAndTwoColours) {
   EXPECT_EQ(toon.combination(params), LightCombination::kSum);
   params.set(*toon.schema->find("combine"), 0, 1.0);  // the strongest wins
   EXPECT_EQ(toon.combination(params), LightCombination::kJoint);
+  params.set(*toon.schema->find("combine"), 0, 2.0);  // one key an object
+  EXPECT_EQ(toon.combination(params), LightCombination::kSum);
   // Picture and colours are linear in each other, which the solver may use.
   EXPECT_EQ((*toon.schema)[*toon.schema->find("bright")].role, "color");
   EXPECT_EQ((*toon.schema)[*toon.schema->find("dark")].role, "color");
