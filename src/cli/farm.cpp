@@ -38,6 +38,7 @@ Result<std::vector<std::string>> render_words(const Words& words, const AssetRoo
   }
   add("--style", words.shot.style);
   for (const std::string& each : shot.set) add("--set", each);
+  for (const std::string& each : words.shot.link) add("--link", each);
   for (const std::string& each : words.shot.constrain) add("--constrain", each);
   if (shot.scene_options.floor) list.emplace_back("--floor");
   if (shot.scene_options.wall) list.emplace_back("--wall");

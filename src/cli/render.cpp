@@ -52,7 +52,7 @@ int watch(const Words& words, Stage& stage, ParamState state, StyleFiles files, 
 /// Frame after frame; what is there already, whole and of the same lights, is left as it is.
 Result<int> render_frames(const Words& words, const Shot& shot, VerbContext& context) {
   LUM_TRY(const FrameRange range, FrameRange::parse(words.frames));
-  const Sequence sequence{shot, range.frames(), words.output, words.shot.constrain, words.again};
+  const Sequence sequence{shot, range.frames(), words.output, words.shot.link, words.shot.constrain, words.again};
   LUM_TRY(Device device, Device::create_headless());
   const StopSignals::Grace grace(context.signals);
   Diagnostics diagnostics;

@@ -64,6 +64,7 @@ Result<ViewWords> words_for(const SolveWords& words, const std::string& text, st
   if (index == 0) return view;
   // Words about lights that only the first session has: their locks come with its rig.
   view.solve.paint.new_lights = 0;
+  view.solve.shot.link.clear();
   view.solve.shot.constrain.clear();
   view.solve.locks.ordered.clear();
   return view;
@@ -84,8 +85,8 @@ Result<int> solve_views(const SolveWords& words, VerbContext& context) {
   std::vector<SharedView> views;
   for (const ViewWords& view : all) {
     LUM_TRY(const Shot shot, shot_from(view.solve.shot));
-    LUM_TRY(auto session, open_task(device, shot, &view.solve.paint, view.solve.shot.constrain, view.solve.locks,
-                                    context, diagnostics));
+    LUM_TRY(auto session,
+            open_task(device, shot, &view.solve.paint, view.solve.shot, view.solve.locks, context, diagnostics));
     views.push_back({view.name, std::move(session), view.weight});
   }
   return solve_shared(views, "views", words, context);

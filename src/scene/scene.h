@@ -21,7 +21,7 @@ struct Object {
   Mat4 world_from_object{1.0F};
   bool backdrop = false;  ///< an added floor or wall: not part of the scene's frame
   Mount mount = {};
-  int shadow_mesh = -1;   ///< index of the mesh that blocks light in its stead; -1: its own
+  int shadow_mesh = -1;  ///< index of the mesh that blocks light in its stead; -1: its own
 
   [[nodiscard]] int blocking_mesh() const { return shadow_mesh >= 0 ? shadow_mesh : mesh; }
 };

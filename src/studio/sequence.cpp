@@ -13,6 +13,7 @@
 #include "base/process.h"
 #include "image_io/image_io.h"
 #include "params/param_text.h"
+#include "rig/light_links.h"
 #include "studio/constraint_words.h"
 #include "studio/drawing.h"
 #include "studio/style_reload.h"
@@ -136,6 +137,7 @@ Result<void> render_sequence(Device& device, const AssetRoots& roots, const Sequ
       LUM_TRY(stage, open_stage(device, roots, shot, ".", diagnostics, stage ? stage->moving : nullptr));
     }
     LUM_TRY(ParamState state, starting_state(*stage, roots, shot, "."));
+    LUM_TRY_VOID(link_lights(state.rig, sequence.links, stage->object_names()));
     LUM_TRY_VOID(add_constraints(state.rig, sequence.constraints, stage->renderer->surface(), stage->bounds));
     const std::string signature = frame_signature(*stage, shot, state, scene_file);
     FrameDone done{frame, frame_path(sequence.pattern, frame), false};

@@ -29,6 +29,7 @@ struct Sequence {
   Shot shot;
   std::vector<int> frames;
   std::string pattern;                   ///< of frame_path()
+  std::vector<std::string> links;        ///< in words, as link_lights() takes them
   std::vector<std::string> constraints;  ///< in words, as add_constraints() takes them
   bool again = false;                    ///< also where a valid frame is there
 };

@@ -36,7 +36,7 @@ class FramesTest : public SessionTest {
   Sequence sequence(const std::string& pattern) {
     Shot moving = session_->shot();
     moving.scene = folder_.file("rising.glb");
-    return {moving, {0, 12, 24}, folder_.file(pattern), {}, false};
+    return {moving, {0, 12, 24}, folder_.file(pattern), {}, {}, false};
   }
   /// Frames that were rendered, not those that were there.
   std::vector<int> rendered(const Sequence& sequence) {
