@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "bench/coherence.h"
 #include "bench/figure6.h"
 #include "bench/prep.h"
 #include "bench/recover.h"
@@ -110,6 +111,17 @@ void add_scaling(CLI::App& app, Run& run) {
             0);
 }
 
+void add_coherence(CLI::App& app, Run& run) {
+  CLI::App* bench = app.add_subcommand("coherence", "whether ink holds still while the creature moves, in some styles");
+  auto options = std::make_shared<CoherenceOptions>();
+  bench->add_flag("--json", options->json, "one JSON object a line");
+  bench->add_option("--styles", options->styles, "styles or stacks of styles")->delimiter(',')->capture_default_str();
+  bench->add_option("--first", options->first, "first frame")->capture_default_str();
+  bench->add_option("--count", options->count, "pairs of frames")->capture_default_str();
+  bench->callback(
+      [options, &run] { run = [options](Device& device) -> Result<void> { return run_coherence(device, *options); }; });
+}
+
 /// Needs no device. returns whether it was asked for, once the words are parsed.
 std::function<bool()> add_prep(CLI::App& app, PrepOptions& options) {
   CLI::App* bench = app.add_subcommand("prep", "meshes are repaired and unwrapped: charts, distortion, time");
@@ -134,6 +146,7 @@ int main(int argc, char** argv) {
   luminist::add_painted(app, run);
   luminist::add_scaling(app, run);
   luminist::add_recover(app, run);
+  luminist::add_coherence(app, run);
   luminist::PrepOptions prep;
   const auto wants_prep = luminist::add_prep(app, prep);
   CLI11_PARSE(app, argc, argv);
