@@ -35,12 +35,16 @@ Result<void> Session::set(const std::vector<std::string>& assignments) {
   return commit_state(label, Json{{"do", "set"}, {"values", assignments}}.dump(), std::move(next));
 }
 
-Result<int> Session::set_locked(const std::string& pattern, bool locked) {
+Result<int> Session::set_locked(const std::vector<std::string>& patterns, bool locked) {
   ParamState next = state_;
-  LUM_TRY(const int count, luminist::set_locked(next, pattern, locked));
+  int count = 0;
+  for (const std::string& pattern : patterns) {
+    LUM_TRY(const int named, luminist::set_locked(next, pattern, locked));
+    count += named;
+  }
   const char* verb = locked ? "lock" : "unlock";
-  LUM_TRY_VOID(commit_state(fmt::format("{} {}", locked ? "Lock" : "Unlock", pattern),
-                            Json{{"do", verb}, {"pattern", pattern}}.dump(), std::move(next)));
+  const std::string label = fmt::format("{} {}", locked ? "Lock" : "Unlock", fmt::join(patterns, ", "));
+  LUM_TRY_VOID(commit_state(label, Json{{"do", verb}, {"pattern", patterns}}.dump(), std::move(next)));
   locks_chosen_ = true;
   return count;
 }
@@ -64,7 +68,9 @@ Result<std::string> Session::add_light(const NewLight& wanted) {
   const std::string name = next.rig.unused_name(wanted.name);
   LUM_TRY(Light light, make_light(stage_->types, wanted.type, name, stage_->frame));
   light.group = wanted.group;
-  if (wanted.from_paint) {
+  if (wanted.dark) {
+    if (const auto color = light.params.schema().by_role("color")) light.params.set_vec3(*color, Vec3(0.0F));
+  } else if (wanted.from_paint) {
     LUM_TRY(const StartLight start, start_light());
     apply_start_light(start, light);
   }
@@ -74,6 +80,7 @@ Result<std::string> Session::add_light(const NewLight& wanted) {
                        {"name", wanted.name},
                        {"group", wanted.group},
                        {"from_paint", wanted.from_paint},
+                       {"dark", wanted.dark},
                        {"lock_others", wanted.lock_others}};
   LUM_TRY_VOID(commit_state("Add light " + name, action.dump(), std::move(next)));
   return name;

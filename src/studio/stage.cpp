@@ -44,6 +44,7 @@ Result<std::unique_ptr<Stage>> open_stage(Device& device, const AssetRoots& root
   LUM_TRY(Scene scene, load_scene(path, shot.scene_options, diagnostics));
   LUM_TRY(const Camera camera, choose_camera(scene, shot.camera));
   stage->frame = scene.frame();
+  stage->camera = camera;
   stage->bounds = scene.bounds();
   for (const Camera& each : scene.cameras) stage->camera_names.push_back(each.name);
   LUM_TRY(stage->renderer,

@@ -19,6 +19,7 @@ struct Stage {
   LightTypes types;
   Style style;
   SceneFrame frame;
+  Camera camera;
   Box bounds;  ///< of the scene without backdrops
   std::vector<std::string> camera_names;
   std::vector<PunctualLight> scene_lights;
