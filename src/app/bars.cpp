@@ -5,7 +5,9 @@
 #include <fmt/format.h>
 
 #include "app/icons.h"
+#include "app/kept_sessions.h"
 #include "app/panels.h"
+#include "app/questions.h"
 
 namespace luminist {
 namespace {
@@ -17,6 +19,15 @@ void item(Desk& desk, const char* label, Deed deed, bool enabled = true) {
 void file_menu(Desk& desk) {
   if (!ImGui::BeginMenu("File")) return;
   item(desk, "Open a scene or project...", Deed::kOpen);
+  if (ImGui::BeginMenu("Open recent")) {
+    const std::vector<std::filesystem::path> files = recent_files();
+    if (files.empty()) ImGui::TextDisabled("nothing yet");
+    for (const std::filesystem::path& file : files) {
+      if (ImGui::MenuItem(file.filename().string().c_str())) open_path(desk, file);
+      tip(desk.theme, file.string().c_str());
+    }
+    ImGui::EndMenu();
+  }
   ImGui::Separator();
   item(desk, "Save", Deed::kSave, desk.has_shot());
   item(desk, "Save as...", Deed::kSaveAs, desk.has_shot());

@@ -62,7 +62,8 @@ void palette(Desk& desk) {
   for (std::size_t i = 0; i < colors.size(); ++i) {
     ImGui::PushID(static_cast<int>(i));
     const Vec3& c = colors[i];
-    const ImVec4 shown(srgb_from_linear(c.x), srgb_from_linear(c.y), srgb_from_linear(c.z), 1.0F);
+    const Vec3 tint = c / std::max({c.x, c.y, c.z, 1.0F});
+    const ImVec4 shown(srgb_from_linear(tint.x), srgb_from_linear(tint.y), srgb_from_linear(tint.z), 1.0F);
     if (ImGui::ColorButton("##color", shown, ImGuiColorEditFlags_NoTooltip, {side, side})) desk.box.set_color(c);
     tip(desk.theme, fmt::format("{:.2f}, {:.2f}, {:.2f}. Right click: take it out.", c.x, c.y, c.z).c_str());
     const bool gone = ImGui::IsItemClicked(ImGuiMouseButton_Right);
@@ -159,18 +160,19 @@ void settings(Desk& desk) {
   if (stops) number(desk, "Strength", brush.strength, "strength", {0.0F, 4.0F, "%.2f stops"});
   if (brush.tool == PaintTool::kImportance) number(desk, "Counts", brush.importance, "importance", {0.0F, 2.0F});
   clip(desk);
+  const float half = 0.5F * ImGui::GetContentRegionMax().x;
   flag(desk, "Bucket", brush.bucket, "bucket");
   if (brush.tool == PaintTool::kColor) {
-    ImGui::SameLine(desk.theme.px(84.0F));
+    ImGui::SameLine(half);
     flag(desk, "Never darken", brush.add_light, "add_light");
   }
   if (brush.gradient <= 0.0F) return;
   bool specular = brush.peak == PeakKind::kSpecular;
   if (ImGui::Checkbox("Highlight", &specular)) brush.peak = specular ? PeakKind::kSpecular : PeakKind::kDiffuse;
   quality_tip(desk.theme, quality("peak"));
-  ImGui::SameLine(desk.theme.px(84.0F));
-  flag(desk, "Keep last peak", brush.repeat_peak, "repeat_peak");
-  flag(desk, "Run out along the drag", brush.screen_gradient, "screen_gradient");
+  ImGui::SameLine(half);
+  flag(desk, "Same peak", brush.repeat_peak, "repeat_peak");
+  flag(desk, "Fade along the drag", brush.screen_gradient, "screen_gradient");
 }
 
 void copy_from(Desk& desk) {

@@ -77,7 +77,8 @@ void CanvasPanel::draw_pictures(Desk& desk) {
   const Vec2 lo = desk.view.to_screen(Vec2(0.0F)) - Vec2(border);
   const Vec2 hi = desk.view.to_screen(size) + Vec2(border);
   list.AddRect(im(lo), im(hi), IM_COL32(20, 20, 20, 255));
-  refresh(desk, front_, desk.wipe ? Channel::kLight : desk.channel);
+  const bool weighs = desk.box.tool() == Tool::kImportance && desk.channel == Channel::kLight;
+  refresh(desk, front_, desk.wipe ? Channel::kLight : weighs ? Channel::kWeighed : desk.channel);
   front_.texture.filter(desk.view.zoom());
   if (!desk.wipe) {
     draw_part(list, desk.view, front_.texture.id(), 0.0F, 1.0F);
@@ -94,7 +95,7 @@ void CanvasPanel::draw_pictures(Desk& desk) {
     list.AddText({top.x + desk.theme.px(10.0F), bottom.y - desk.theme.px(22.0F)}, paint_colors::kText, "Light");
   }
   ink_.settle(*desk.now);
-  ink_.draw(list, desk.view, desk.display.exposure);
+  ink_.draw(list, desk.view, desk.now->facts->surface, desk.display.exposure);
 }
 
 /// Which way the surface under the pointer faces: what a gradient fades away from.

@@ -15,6 +15,7 @@ constexpr std::array<ChannelFacts, kChannels> kFacts = {{
     {"Paint", "What you painted: the picture that the solver is after."},
     {"Residual", "Where light and paint differ, as much as it counts. Black: not at all."},
     {"Importance", "How much each pixel counts for the solver. Black counts most, white nothing."},
+    {"Importance", "How much each pixel counts, with the picture faintly in it."},
     {"Albedo", "The colour of the surfaces, without light."},
     {"Normal", "Which way the surfaces face."},
     {"Distance", "How far the surfaces are from the eye: near is bright."},
@@ -44,6 +45,17 @@ Image residual_image(const StudioSnapshot& snapshot) {
 Image importance_image(const StudioSnapshot& snapshot) {
   Image image = snapshot.painted->importance;
   for (float& value : image.data) value = 1.0F - std::clamp(value, 0.0F, 1.0F);
+  return image;
+}
+
+Image weighed_image(const StudioSnapshot& snapshot) {
+  constexpr float kPicture = 0.3F;
+  Image image = importance_image(snapshot);
+  const Image& picture = *snapshot.picture;
+  for (std::size_t i = 0; i < image.pixels(); ++i) {
+    const float grey = srgb_from_linear(glm::dot(picture.rgb(i), Vec3(0.2126F, 0.7152F, 0.0722F)));
+    image.data[i] = (1.0F - kPicture) * image.data[i] + kPicture * grey;
+  }
   return image;
 }
 
@@ -122,6 +134,8 @@ Image channel_image(const StudioSnapshot& snapshot, Channel channel) {
       return residual_image(snapshot);
     case Channel::kImportance:
       return importance_image(snapshot);
+    case Channel::kWeighed:
+      return weighed_image(snapshot);
     case Channel::kAlbedo:
       return albedo_image(surface);
     case Channel::kNormal:

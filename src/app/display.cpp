@@ -35,8 +35,8 @@ float displayed(float linear, const DisplayOptions& options) {
 DisplayTable::DisplayTable(const DisplayOptions& options) : options_(options), codes_(1U << (31 - kDropped)) {
   for (std::size_t i = 0; i < codes_.size(); ++i) {
     const auto bits = static_cast<std::uint32_t>(i) << kDropped | 1U << (kDropped - 1);
-    const float value = std::bit_cast<float>(bits);
-    codes_[i] = static_cast<std::uint8_t>(std::isnan(value) ? 0.0F : 255.0F * displayed(value, options) + 0.5F);
+    const float value = std::bit_cast<float>(bits);  // what lies beyond the numbers is infinity: no NaN is looked up
+    codes_[i] = static_cast<std::uint8_t>(std::isnan(value) ? 255.0F : 255.0F * displayed(value, options) + 0.5F);
   }
 }
 

@@ -26,12 +26,22 @@ ImU32 ink_color(const Brush& brush, float exposure, float alpha) {
 
 /// A dab of gaussian fall-off, as rings that lie over one another.
 void draw_dab(ImDrawList& list, const ImVec2& center, float radius, const Brush& brush, float exposure) {
-  constexpr int kRings = 4;
+  constexpr int kRings = 6;
   for (int ring = 0; ring < kRings; ++ring) {
     const float share = static_cast<float>(ring + 1) / kRings;
-    const ImU32 color = ink_color(brush, exposure, 0.22F * brush.opacity);
-    list.AddCircleFilled(center, radius * 0.8F * share, color, 20);
+    const ImU32 color = ink_color(brush, exposure, 0.12F * brush.opacity);
+    list.AddCircleFilled(center, radius * 0.85F * share, color, 24);
   }
+}
+
+/// The brush with its colour as the surface under a point takes it.
+Brush tinted(const Brush& brush, const SurfaceBuffer& surface, const StrokePoint& point) {
+  Brush result = brush;
+  const int x = static_cast<int>(point.x * static_cast<float>(surface.height));
+  const int y = static_cast<int>(point.y * static_cast<float>(surface.height));
+  if (x < 0 || y < 0 || x >= surface.width || y >= surface.height) return result;
+  result.color *= glm::mix(Vec3(1.0F), surface.albedo[surface.index(x, y)], brush.texture);
+  return result;
 }
 
 }  // namespace
@@ -52,7 +62,7 @@ void Ink::settle(const StudioSnapshot& snapshot) {
   }
 }
 
-void Ink::draw(ImDrawList& list, const CanvasView& view, float exposure) const {
+void Ink::draw(ImDrawList& list, const CanvasView& view, const SurfaceBuffer& surface, float exposure) const {
   const float height = view.picture_size().y;
   for (const Held& held : strokes_) {
     const float radius = 0.5F * held.brush.diameter * height * view.zoom();
@@ -62,7 +72,7 @@ void Ink::draw(ImDrawList& list, const CanvasView& view, float exposure) const {
       const StrokePoint& point = held.points[i];
       const Vec2 at = view.to_screen(height * Vec2(point.x, point.y));
       if (glm::length(at - last) < step) continue;
-      draw_dab(list, {at.x, at.y}, radius * point.pressure, held.brush, exposure);
+      draw_dab(list, {at.x, at.y}, radius * point.pressure, tinted(held.brush, surface, point), exposure);
       last = at;
     }
   }

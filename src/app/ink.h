@@ -11,8 +11,8 @@
 
 namespace luminist {
 
-/// Points of strokes that the last snapshot does not show yet, as soft dabs in the brush's colour and opacity. What
-/// texture, gradient and clip make of them shows when the snapshot comes.
+/// Points of strokes that the last snapshot does not show yet, as soft dabs in the brush's colour and opacity, times
+/// the albedo under them where the brush asks for that. What gradient and clip make of them a snapshot shows.
 class Ink {
  public:
   void begin(const Stroke& stroke);
@@ -20,7 +20,7 @@ class Ink {
   void end() { open_ = false; }
   /// Drops what a snapshot holds. Strokes are counted as the studio counts them.
   void settle(const StudioSnapshot& snapshot);
-  void draw(ImDrawList& list, const CanvasView& view, float exposure) const;
+  void draw(ImDrawList& list, const CanvasView& view, const SurfaceBuffer& surface, float exposure) const;
   [[nodiscard]] bool empty() const { return strokes_.empty(); }
 
  private:

@@ -160,10 +160,10 @@ const char* name_of(Deed deed) {
 std::string key_name(int key, int mods) {
   if (key == GLFW_KEY_SLASH && mods == kShift) return "?";
   std::string name;
-  if ((mods & kCtrl) != 0) name += "Ctrl+";
-  if ((mods & kAlt) != 0) name += "Alt+";
-  if ((mods & kShift) != 0) name += "Shift+";
-  return name + letter_or_name(key);
+  if ((mods & kCtrl) != 0) name.append("Ctrl+");
+  if ((mods & kAlt) != 0) name.append("Alt+");
+  if ((mods & kShift) != 0) name.append("Shift+");
+  return name.append(letter_or_name(key));
 }
 
 }  // namespace luminist

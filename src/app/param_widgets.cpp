@@ -42,7 +42,8 @@ std::string assigned(const ParamSpec& spec, const std::array<float, 3>& values, 
   std::string text;
   for (int c = 0; c < spec.components(); ++c) {
     const double stored = spec.stored(c, values[static_cast<std::size_t>(c)], frame);
-    text += (c == 0 ? "" : ",") + number_text(shortest_double(static_cast<float>(stored)));
+    if (c > 0) text.append(",");
+    text.append(number_text(shortest_double(static_cast<float>(stored))));
   }
   return text;
 }

@@ -29,6 +29,11 @@ FileWish wish_for(const Desk& desk) {
   }
 }
 
+bool asks_for_file(Question question) {
+  return question == Question::kOpen || question == Question::kSaveAs || question == Question::kImage ||
+         question == Question::kExport;
+}
+
 }  // namespace
 
 void open_path(Desk& desk, const fs::path& path) {
@@ -41,6 +46,7 @@ void open_path(Desk& desk, const fs::path& path) {
   }
   Shot shot;
   shot.scene = path.string();
+  remember_file(path);
   // A bare mesh stands better with a floor under it.
   shot.scene_options.floor = shot.scene_options.wall = path.extension() != ".glb" && path.extension() != ".gltf";
   desk.studio->post("open " + path.filename().string(),
@@ -50,7 +56,7 @@ void open_path(Desk& desk, const fs::path& path) {
 void Questions::begin(Desk& desk) {
   desk.question_asked = true;
   ImGui::OpenPopup("question");
-  if (desk.question == Question::kKeys || desk.question == Question::kQuit) return;
+  if (!asks_for_file(desk.question)) return;
   if (folder_.empty()) folder_ = fs::current_path();
   dialog_.open(wish_for(desk), folder_);
 }
@@ -132,6 +138,38 @@ void Questions::quit(Desk& desk) {
   if (ImGui::Button("Stay", size)) leave(desk);
 }
 
+bool Questions::find_kept(const fs::path& folder) {
+  kept_ = kept_sessions(folder);
+  return !kept_.empty();
+}
+
+void Questions::recover(Desk& desk) {
+  ImGui::PushFont(desk.theme.strong);
+  ImGui::TextUnformatted("Sessions that were never saved");
+  ImGui::PopFont();
+  ImGui::TextDisabled("Everything that was done in them is here, also after a crash.");
+  ImGui::Spacing();
+  for (std::size_t i = 0; i < kept_.size(); ++i) {
+    const KeptSession& kept = kept_[i];
+    ImGui::PushID(static_cast<int>(i));
+    ImGui::AlignTextToFramePadding();
+    ImGui::Text("%s, %zu steps, %s", kept.scene.c_str(), kept.steps, kept.when.c_str());
+    ImGui::SameLine(desk.theme.px(380.0F));
+    const bool opened = ImGui::Button("Go on", {desk.theme.px(86.0F), 0.0F});
+    if (opened) open_path(desk, kept.folder);
+    ImGui::SameLine();
+    const bool gone = ImGui::Button("Throw away", {desk.theme.px(100.0F), 0.0F});
+    ImGui::PopID();
+    std::error_code error;
+    if (gone) fs::remove_all(kept.folder, error);
+    if (gone) kept_.erase(kept_.begin() + static_cast<std::ptrdiff_t>(i));
+    if (opened || kept_.empty()) return leave(desk);
+    if (gone) break;
+  }
+  ImGui::Spacing();
+  if (ImGui::Button("Not now", {desk.theme.px(86.0F), 0.0F})) leave(desk);
+}
+
 void Questions::draw(Desk& desk) {
   if (desk.question == Question::kNone) return;
   if (desk.question == Question::kQuit &&
@@ -152,6 +190,8 @@ void Questions::draw(Desk& desk) {
     keys(desk);
   } else if (desk.question == Question::kQuit) {
     quit(desk);
+  } else if (desk.question == Question::kRecover) {
+    recover(desk);
   } else {
     files(desk);
   }

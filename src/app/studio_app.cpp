@@ -8,6 +8,7 @@
 #include <cstdlib>
 
 #include "app/canvas_panel.h"
+#include "app/kept_sessions.h"
 #include "app/layout.h"
 #include "app/questions.h"
 #include "app/window.h"
@@ -32,6 +33,7 @@ class StudioApp {
 
   void open(const StudioRequest& request) {
     if (!request.path.empty()) return open_path(desk_, request.path);
+    if (questions_.find_kept(unsaved_folder())) desk_.ask(Question::kRecover);
     Shot shot;
     shot.scene = "meshes/still_life/still_life.glb";
     studio_.post("open the demo scene", [shot](Workbench& bench) { return bench.open(shot, fs::current_path()); });
@@ -95,6 +97,7 @@ class StudioApp {
   void title() {
     if (!desk_.has_shot()) return;
     const HistoryFacts& history = desk_.now->history;
+    if (!history.unsaved && history.folder != remembered_) remember_file(remembered_ = history.folder);
     const std::string name = history.unsaved ? fs::path(desk_.now->facts->shot.scene).stem().string() + " (unsaved)"
                                              : history.folder.filename().string();
     window_->set_title(name + " - Luminist");
@@ -119,18 +122,10 @@ class StudioApp {
   CanvasPanel canvas_;
   Questions questions_;
   fs::path nothing_done_;
+  fs::path remembered_;
 };
 
 }  // namespace
-
-fs::path unsaved_folder() {
-  const char* state = std::getenv("XDG_STATE_HOME");
-  const char* home = std::getenv("HOME");
-  const fs::path base = state != nullptr && *state != '\0' ? fs::path(state)
-                        : home != nullptr                  ? fs::path(home) / ".local/state"
-                                                           : fs::temp_directory_path();
-  return base / "luminist" / "unsaved";
-}
 
 Result<int> run_studio(const StudioRequest& request) {
   if (!has_display()) {

@@ -16,7 +16,4 @@ struct StudioRequest {
 /// errors kGl without a display or OpenGL for it; what goes wrong later is shown in the window.
 Result<int> run_studio(const StudioRequest& request);
 
-/// Where sessions without a name are kept: luminist/unsaved below XDG_STATE_HOME or ~/.local/state.
-std::filesystem::path unsaved_folder();
-
 }  // namespace luminist

@@ -92,6 +92,7 @@ Result<void> Workbench::refresh_pictures(StudioSnapshot& next) {
     }
     painted_ =
         std::make_shared<const PaintedPictures>(PaintedPictures{target->color, target->importance, target->stroke});
+    if (live_painting_ && !stroke_) start_epsilon_ = live_painting_->error_of(live_painting_->target().before);
   }
   next.picture = picture_;
   next.painted = painted_;
