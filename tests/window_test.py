@@ -221,8 +221,18 @@ def recover_unsaved(studio):
     ready(studio)
     time.sleep(1)
     studio.shot("recovery")
-    studio.do("mousemove", *(760, 346))  # "Go on" of the only row
-    return project
+    studio.do("mousemove", 750, 364)  # "Go on" of the only row
+    time.sleep(0.5)
+    studio.do("click", 1)
+    time.sleep(1)
+    wait_for("the session goes on where it was",
+             lambda: (project / "lock").exists())
+    ready(studio)
+    before = len(records(project))
+    studio.shot("recovered")
+    studio.key("ctrl+z")
+    wait_for("its last stroke can be undone", lambda: len(records(project)) == before + 1)
+    studio.kill()
 
 
 def main():

@@ -56,6 +56,12 @@ void view_menu(Desk& desk) {
   item(desk, "Fit the picture", Deed::kFit);
   item(desk, "Full size", Deed::kFullSize);
   item(desk, "Hide the panels", Deed::kHidePanels);
+  item(desk, "The shot from anywhere", Deed::kOrbit);
+  ImGui::Separator();
+  item(desk, "Keep the picture to compare with", Deed::kKeep, desk.has_shot());
+  if (ImGui::MenuItem("Wipe against the kept picture", nullptr, desk.wipe_kept, desk.kept != nullptr)) {
+    desk.wipe_kept = !desk.wipe_kept;
+  }
   ImGui::Separator();
   for (int i = 0; i < static_cast<int>(key_maps().size()); ++i) {
     const std::string label = "Keys as in " + key_maps()[static_cast<std::size_t>(i)].name;
@@ -106,7 +112,8 @@ std::string place_line(const Desk& desk) {
   const std::string zoom = fmt::format("{:.0f} %", 100.0F * desk.view.zoom());
   const ImVec2 mouse = ImGui::GetIO().MousePos;
   const Vec2 at = desk.view.to_picture({mouse.x, mouse.y});
-  const Image& picture = *desk.now->picture;
+  const Image& painted = desk.now->painted->color;
+  const Image& picture = desk.now->picture->same_size(painted) ? *desk.now->picture : painted;
   const bool over = desk.view.rect().contains({mouse.x, mouse.y}) && at.x >= 0.0F && at.y >= 0.0F &&
                     at.x < static_cast<float>(picture.width) && at.y < static_cast<float>(picture.height);
   if (!over) return zoom;

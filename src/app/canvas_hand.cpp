@@ -30,7 +30,8 @@ void CanvasPanel::take(Desk& desk, const HandEvent& event, bool hovered) {
       return release(desk, event);
     case HandEvent::Kind::kScroll:
       constexpr float kNotch = 1.2F;
-      if (hovered && desk.view.rect().contains(event.at)) desk.view.zoom_by(std::pow(kNotch, event.scroll), event.at);
+      if (!hovered || !desk.view.rect().contains(event.at) || handles_.scroll(desk, event.at, event.scroll)) return;
+      desk.view.zoom_by(std::pow(kNotch, event.scroll), event.at);
       return;
   }
 }
@@ -44,6 +45,10 @@ void CanvasPanel::press(Desk& desk, const HandEvent& event) {
   }
   if (event.button != GLFW_MOUSE_BUTTON_LEFT) return;
   if (desk.pick_clip) return pick_clip(desk, event.at);
+  if (handles_.press(desk, event.at)) {
+    grip_ = Grip::kLight;
+    return;
+  }
   const float line = desk.view.to_screen(Vec2(desk.wipe_at * desk.view.picture_size().x, 0.0F)).x;
   if (desk.wipe && std::abs(event.at.x - line) < desk.theme.px(8.0F)) {
     grip_ = Grip::kWipe;
@@ -98,6 +103,8 @@ void CanvasPanel::move(Desk& desk, const HandEvent& event) {
     }
     case Grip::kPick:
       return pick_color(desk, event.at);
+    case Grip::kLight:
+      return handles_.move(desk, event.at, event.mods == GLFW_MOD_SHIFT);
     case Grip::kNone:
       return;
   }
@@ -110,6 +117,7 @@ void CanvasPanel::release(Desk& desk, const HandEvent& event) {
     desk.studio->end_stroke();
     ink_.end();
   }
+  handles_.release(desk);
   if (grip_ == Grip::kPick && desk.box.tool() == Tool::kPick) desk.box.take_last();
   grip_ = Grip::kNone;
 }
@@ -132,7 +140,9 @@ bool CanvasPanel::cancel_stroke(Desk& desk) {
 
 void CanvasPanel::pick_color(Desk& desk, const Vec2& screen) {
   const Vec2 at = desk.view.to_picture(screen);
-  const Image& image = desk.channel == Channel::kPaint ? desk.now->painted->color : *desk.now->picture;
+  const Image& painted = desk.now->painted->color;
+  const bool small = !desk.now->picture->same_size(painted);  // while the brush moves
+  const Image& image = desk.channel == Channel::kPaint || small ? painted : *desk.now->picture;
   const int x = static_cast<int>(std::floor(at.x));
   const int y = static_cast<int>(std::floor(at.y));
   if (x < 0 || y < 0 || x >= image.width || y >= image.height) return;

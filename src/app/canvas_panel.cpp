@@ -27,19 +27,6 @@ void draw_empty(const Desk& desk, ImDrawList& list, const ScreenRect& rect) {
   list.AddText({center.x - 0.5F * size.x, center.y - 0.5F * size.y}, paint_colors::kDim, words.c_str());
 }
 
-/// What to do first, as long as nothing was done.
-void draw_hint(const Desk& desk, ImDrawList& list, const ScreenRect& rect) {
-  if (desk.now->any_paint || desk.now->history.undo_steps > 0 || desk.hand_down) return;
-  const char* words = "Paint the light you want to see: drag over the picture. A light follows your brush.";
-  const ImVec2 size = ImGui::CalcTextSize(words);
-  const float x = rect.center().x - 0.5F * size.x;
-  const float y = rect.hi.y - desk.theme.px(44.0F);
-  const float pad = desk.theme.px(10.0F);
-  list.AddRectFilled({x - pad, y - 0.6F * pad}, {x + size.x + pad, y + size.y + 0.6F * pad}, IM_COL32(20, 20, 20, 220),
-                     desk.theme.px(4.0F));
-  list.AddText({x, y}, paint_colors::kText, words);
-}
-
 }  // namespace
 
 std::string object_at(const ShotFacts& facts, const Vec2& picture) {
@@ -70,6 +57,18 @@ void CanvasPanel::refresh(const Desk& desk, Shown& shown, Channel channel) {
   shown.display = display;
 }
 
+/// The picture that was kept, in place of the paint.
+void CanvasPanel::refresh_kept(const Desk& desk) {
+  if (paint_.picture == desk.kept && paint_.display == desk.display && !paint_.painted) return;
+  const DisplayTable table(desk.display);
+  codes_.resize(desk.kept->pixels());
+  to_display(*desk.kept, table, codes_);
+  paint_.texture.upload(codes_, desk.kept->width, desk.kept->height);
+  paint_.picture = desk.kept;
+  paint_.painted.reset();
+  paint_.display = desk.display;
+}
+
 void CanvasPanel::draw_pictures(Desk& desk) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const Vec2 size = desk.view.picture_size();
@@ -83,7 +82,11 @@ void CanvasPanel::draw_pictures(Desk& desk) {
   if (!desk.wipe) {
     draw_part(list, desk.view, front_.texture.id(), 0.0F, 1.0F);
   } else {
-    refresh(desk, paint_, Channel::kPaint);
+    if (desk.wipe_kept && desk.kept) {
+      refresh_kept(desk);
+    } else {
+      refresh(desk, paint_, Channel::kPaint);
+    }
     paint_.texture.filter(desk.view.zoom());
     draw_part(list, desk.view, paint_.texture.id(), 0.0F, desk.wipe_at);
     draw_part(list, desk.view, front_.texture.id(), desk.wipe_at, 1.0F);
@@ -91,7 +94,8 @@ void CanvasPanel::draw_pictures(Desk& desk) {
     const Vec2 bottom = desk.view.to_screen(Vec2(desk.wipe_at * size.x, size.y));
     list.AddLine(im(top), im(bottom), paint_colors::kAccent, desk.theme.px(1.5F));
     list.AddCircleFilled({top.x, 0.5F * (top.y + bottom.y)}, desk.theme.px(6.0F), paint_colors::kAccent);
-    list.AddText({top.x - desk.theme.px(44.0F), bottom.y - desk.theme.px(22.0F)}, paint_colors::kText, "Paint");
+    list.AddText({top.x - desk.theme.px(44.0F), bottom.y - desk.theme.px(22.0F)}, paint_colors::kText,
+                 desk.wipe_kept && desk.kept ? " Kept" : "Paint");
     list.AddText({top.x + desk.theme.px(10.0F), bottom.y - desk.theme.px(22.0F)}, paint_colors::kText, "Light");
   }
   ink_.settle(*desk.now);
@@ -118,6 +122,9 @@ void CanvasPanel::draw_cursor(const Desk& desk) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const bool picks = desk.box.tool() == Tool::kPick || desk.pick_clip || (mods_ == desk.keys().pick_mods);
   if (desk.space_down || grip_ == Grip::kPan) return ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
+  if (grip_ == Grip::kLight || (grip_ == Grip::kNone && handles_.over(desk, pointer_))) {
+    return ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
+  }
   ImGui::SetMouseCursor(ImGuiMouseCursor_None);
   const Vec2 at = grip_ == Grip::kSize ? grip_at_ : pointer_;
   if (picks) {
@@ -152,12 +159,12 @@ void CanvasPanel::draw(Desk& desk, const ScreenRect& rect, std::span<const HandE
   if (!desk.has_shot()) {
     draw_empty(desk, *ImGui::GetWindowDrawList(), rect);
   } else {
-    desk.view.place(rect, desk.now->picture->width, desk.now->picture->height);
+    desk.view.place(rect, desk.now->painted->color.width, desk.now->painted->color.height);
     for (const HandEvent& event : events) take(desk, event, hovered);
     send_points(desk);
     over_ = hovered;
     draw_pictures(desk);
-    draw_hint(desk, *ImGui::GetWindowDrawList(), rect);
+    if (desk.show_panels) handles_.draw(desk);
     draw_cursor(desk);
   }
   desk.hand_down = grip_ == Grip::kStroke;

@@ -8,6 +8,7 @@
 #include "app/desk.h"
 #include "app/hand_event.h"
 #include "app/ink.h"
+#include "app/light_handles.h"
 #include "app/picture_texture.h"
 
 namespace luminist {
@@ -20,7 +21,7 @@ class CanvasPanel {
   bool cancel_stroke(Desk& desk);
 
  private:
-  enum class Grip { kNone, kStroke, kPan, kSize, kWipe, kPick };
+  enum class Grip { kNone, kStroke, kPan, kSize, kWipe, kPick, kLight };
   /// One picture on the screen, and what it was made of.
   struct Shown {
     PictureTexture texture;
@@ -41,6 +42,7 @@ class CanvasPanel {
   void pick_color(Desk& desk, const Vec2& screen);
   void pick_clip(Desk& desk, const Vec2& screen);
   void refresh(const Desk& desk, Shown& shown, Channel channel);
+  void refresh_kept(const Desk& desk);
   void draw_pictures(Desk& desk);
   void draw_cursor(const Desk& desk);
   void draw_peak(const Desk& desk, const Vec2& screen) const;
@@ -50,6 +52,7 @@ class CanvasPanel {
   std::unique_ptr<DisplayTable> table_;
   std::vector<std::uint32_t> codes_;
   Ink ink_;
+  LightHandles handles_;
   Grip grip_ = Grip::kNone;
   Vec2 pointer_{0.0F};
   Vec2 grip_at_{0.0F};

@@ -22,10 +22,17 @@ constexpr std::array<ChannelFacts, kChannels> kFacts = {{
     {"Objects", "A colour for each object: what a stroke can be clipped to."},
 }};
 
+/// The picture at the shot's size; while the brush moves it may be made smaller.
+Image full_picture(const StudioSnapshot& snapshot) {
+  const Image& size = snapshot.painted->color;
+  const Image& picture = *snapshot.picture;
+  return picture.same_size(size) ? picture : resized(picture, size.width, size.height);
+}
+
 Image light_image(const StudioSnapshot& snapshot) {
-  Image image = *snapshot.picture;
+  Image image = full_picture(snapshot);
   const PaintedPictures& painted = *snapshot.painted;
-  if (snapshot.unanswered == 0 || !painted.color.same_size(image)) return image;
+  if (snapshot.unanswered == 0) return image;
   for (std::size_t i = 0; i < painted.stroke.size(); ++i) {
     if (painted.stroke[i] >= snapshot.unanswered) image.set_rgb(i, painted.color.rgb(i));
   }
@@ -37,7 +44,7 @@ Image residual_image(const StudioSnapshot& snapshot) {
   Target target;
   target.color = painted.color;
   target.importance = painted.importance;
-  const Image residual = residual_map(*snapshot.picture, target);
+  const Image residual = residual_map(full_picture(snapshot), target);
   constexpr float kLeastWhite = 0.02F;  // a picture that is nearly met does not look like a fire
   return heat_map(residual, std::max(kLeastWhite, quantile(residual, 0.995)));
 }
@@ -51,7 +58,7 @@ Image importance_image(const StudioSnapshot& snapshot) {
 Image weighed_image(const StudioSnapshot& snapshot) {
   constexpr float kPicture = 0.3F;
   Image image = importance_image(snapshot);
-  const Image& picture = *snapshot.picture;
+  const Image picture = full_picture(snapshot);
   for (std::size_t i = 0; i < image.pixels(); ++i) {
     const float grey = srgb_from_linear(glm::dot(picture.rgb(i), Vec3(0.2126F, 0.7152F, 0.0722F)));
     image.data[i] = (1.0F - kPicture) * image.data[i] + kPicture * grey;

@@ -11,6 +11,14 @@ constexpr std::size_t kMostMessages = 100;
 void show(Desk& desk, Channel channel) {
   desk.channel = channel;
   desk.wipe = false;
+  desk.orbit = false;
+}
+
+void keep_picture(Desk& desk) {
+  if (!desk.has_shot()) return;
+  desk.kept = desk.now->picture;
+  desk.wipe_kept = true;
+  desk.tell(StudioMessage::Kind::kNote, "the picture is kept; Wipe compares it with the light");
 }
 
 void accept(Desk& desk) {
@@ -56,6 +64,10 @@ bool perform_here(Desk& desk, Deed deed, int digit) {
       return show(desk, Channel::kImportance), true;
     case Deed::kWipe:
       return desk.wipe = !desk.wipe, true;
+    case Deed::kKeep:
+      return keep_picture(desk), true;
+    case Deed::kOrbit:
+      return desk.orbit = !desk.orbit, true;
     case Deed::kFit:
       return desk.view.fit(), true;
     case Deed::kFullSize:

@@ -40,7 +40,10 @@ struct Desk {
   Channel channel = Channel::kLight;
   bool wipe = false;  ///< paint on the left of a line, light on the right
   float wipe_at = 0.5F;
-  bool pick_clip = false;  ///< the next click names the object that strokes stay on
+  bool wipe_kept = false;             ///< the kept picture on the left
+  std::shared_ptr<const Image> kept;  ///< a picture to compare with; null: none
+  bool orbit = false;                 ///< the shot from anywhere, in place of the canvas
+  bool pick_clip = false;             ///< the next click names the object that strokes stay on
   bool space_down = false;
   bool hand_down = false;  ///< a stroke is under way
 

@@ -17,6 +17,7 @@ void FileDialog::open(FileWish wish, const fs::path& folder) {
   wish_ = std::move(wish);
   name_ = wish_.name;
   left_ = false;
+  asked_.clear();
   std::error_code error;
   go(fs::is_directory(folder, error) ? folder : fs::current_path(error));
 }
@@ -111,6 +112,11 @@ std::optional<fs::path> FileDialog::draw(const Theme& theme) {
     return std::nullopt;
   }
   if (wish_.new_name && !wish_.folders && !wanted(path)) path += wish_.extensions.front();
+  if (wish_.new_name && !wish_.folders && path != asked_ && fs::exists(path, error)) {
+    asked_ = path;
+    fault_ = path.filename().string() + " is there already; press " + wish_.button + " again to replace it";
+    return std::nullopt;
+  }
   return path;
 }
 

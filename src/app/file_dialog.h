@@ -42,6 +42,7 @@ class FileDialog {
   std::vector<Entry> entries_;
   std::string fault_;  ///< why a folder cannot be read
   std::string name_;
+  std::filesystem::path asked_;  ///< what is there already, once the lighter was asked whether to replace it
   bool left_ = false;
 };
 

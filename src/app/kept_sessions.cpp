@@ -104,4 +104,13 @@ void remember_file(const fs::path& path) {
   if (make_folder(state_folder())) static_cast<void>(write_file_atomic(state_folder() / "recent", text));
 }
 
+bool was_told(const std::string& what) {
+  std::error_code error;
+  return fs::exists(state_folder() / (what + "-told"), error);
+}
+
+void remember_told(const std::string& what) {
+  if (make_folder(state_folder())) static_cast<void>(write_file_atomic(state_folder() / (what + "-told"), ""));
+}
+
 }  // namespace luminist

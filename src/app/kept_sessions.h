@@ -23,4 +23,8 @@ std::vector<KeptSession> kept_sessions(const std::filesystem::path& folder);
 std::vector<std::filesystem::path> recent_files();
 void remember_file(const std::filesystem::path& path);
 
+/// Whether something is told only once, and was.
+bool was_told(const std::string& what);
+void remember_told(const std::string& what);
+
 }  // namespace luminist

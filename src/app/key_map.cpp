@@ -40,6 +40,8 @@ std::vector<KeyBinding> usual() {
       {Deed::kViewResidual, GLFW_KEY_F3, 0},
       {Deed::kViewImportance, GLFW_KEY_F4, 0},
       {Deed::kWipe, GLFW_KEY_W, 0},
+      {Deed::kKeep, GLFW_KEY_K, 0},
+      {Deed::kOrbit, GLFW_KEY_V, 0},
       {Deed::kHidePanels, GLFW_KEY_TAB, 0},
       {Deed::kKeys, GLFW_KEY_SLASH, kShift},
       {Deed::kKeys, GLFW_KEY_F12, 0},
@@ -123,7 +125,7 @@ std::span<const KeyMap> key_maps() {
 }
 
 const char* name_of(Deed deed) {
-  static constexpr std::array<const char*, 31> names = {"",
+  static constexpr std::array<const char*, 33> names = {"",
                                                         "Undo",
                                                         "Redo",
                                                         "Open",
@@ -149,6 +151,8 @@ const char* name_of(Deed deed) {
                                                         "Show the residual",
                                                         "Show the importance",
                                                         "Wipe between paint and light",
+                                                        "Keep the picture to compare with",
+                                                        "The shot from anywhere",
                                                         "Fit the picture",
                                                         "Picture at full size",
                                                         "These keys",

@@ -33,6 +33,8 @@ enum class Deed {
   kViewResidual,
   kViewImportance,
   kWipe,
+  kKeep,
+  kOrbit,
   kFit,
   kFullSize,
   kKeys,

@@ -66,6 +66,7 @@ void Layout::right_side(Desk& desk, const ScreenRect& rect) {
     tab("Lights", [&] { lights_panel(desk, widgets_); });
     tab("Style", [&] { style_panel(desk, widgets_); });
     tab("Strokes", [&] { verdict_panel(desk); });
+    tab("Explore", [&] { explore_.draw(desk); });
     tab("History", [&] { history_panel(desk); });
     ImGui::EndTabBar();
   }
@@ -87,7 +88,11 @@ void Layout::draw(Desk& desk, CanvasPanel& canvas, std::span<const HandEvent> ev
   const float left = desk.show_panels ? desk.theme.px(46.0F + left_) : 0.0F;
   const float right = io.DisplaySize.x - (desk.show_panels ? desk.theme.px(right_) : 0.0F);
   const ScreenRect middle{{left, top + bar}, {right, bottom}};
-  canvas.draw(desk, middle, events);
+  if (desk.orbit && desk.has_shot()) {
+    orbit_.draw(desk, middle, events);
+  } else {
+    canvas.draw(desk, middle, events);
+  }
   begin("view", {{left, top}, {right, top + bar}}, ImGuiWindowFlags_NoScrollbar);
   if (desk.has_shot()) view_bar(desk);
   ImGui::End();
@@ -97,6 +102,7 @@ void Layout::draw(Desk& desk, CanvasPanel& canvas, std::span<const HandEvent> ev
     splitter(desk, "left border", left, middle, left_, 1.0F);
     splitter(desk, "right border", right, middle, right_, -1.0F);
   }
+  tour_.draw(desk, middle);
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {desk.theme.px(10.0F), desk.theme.px(5.0F)});
   ImGui::PushStyleColor(ImGuiCol_WindowBg, ImVec4(0.15F, 0.15F, 0.15F, 1.0F));
   begin("status", {{0.0F, bottom}, {io.DisplaySize.x, io.DisplaySize.y}}, ImGuiWindowFlags_NoScrollbar);

@@ -3,7 +3,9 @@
 #include <span>
 
 #include "app/canvas_panel.h"
+#include "app/orbit_panel.h"
 #include "app/panels.h"
+#include "app/tour.h"
 
 namespace luminist {
 
@@ -18,6 +20,9 @@ class Layout {
   float left_ = 232.0F;  ///< widths of the panels, in points
   float right_ = 336.0F;
   ParamWidgets widgets_;
+  ExplorePanel explore_;
+  OrbitPanel orbit_;
+  Tour tour_;
 };
 
 }  // namespace luminist

@@ -4,6 +4,7 @@
 
 #include "app/icons.h"
 #include "app/panels.h"
+#include "studio/exploration.h"
 
 namespace luminist {
 namespace {
@@ -52,6 +53,21 @@ void toggle_solo(Desk& desk, const std::string& name) {
   });
 }
 
+void removal(Desk& desk, const std::string& name) {
+  if (!ImGui::BeginPopup("removal")) return;
+  if (ImGui::MenuItem("Remove it")) {
+    desk.studio->change(
+        "remove a light", [name](Session& session) { return session.remove_light(name); }, Workbench::After::kFollow);
+  }
+  if (ImGui::MenuItem("Remove it; the others make up for it", nullptr, false, desk.now->shown->rig.lights.size() > 1)) {
+    desk.studio->change("remove a light", [name](Session& session) -> Result<void> {
+      LUM_TRY_VOID(start_removal(session, name, SolveOptions{}));
+      return {};
+    });
+  }
+  ImGui::EndPopup();
+}
+
 void buttons(Desk& desk, const Light& light) {
   const float side = ImGui::GetFrameHeight();
   const Theme& theme = desk.theme;
@@ -73,10 +89,8 @@ void buttons(Desk& desk, const Light& light) {
   const int all = light.params.schema().dofs();
   lock_button(desk, "lock", locked, all, lock_patterns(light, locked != all), side);
   ImGui::SameLine(0.0F, 0.0F);
-  if (icon_button(theme, "remove", Icon::kTrash, side, false, "Remove this light.")) {
-    desk.studio->change(
-        "remove a light", [name](Session& session) { return session.remove_light(name); }, Workbench::After::kFollow);
-  }
+  if (icon_button(theme, "remove", Icon::kTrash, side, false, "Remove this light.")) ImGui::OpenPopup("removal");
+  removal(desk, name);
 }
 
 void light_row(Desk& desk, const Light& light) {

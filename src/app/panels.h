@@ -2,6 +2,7 @@
 // app/panels.h -- the parts of the window around the canvas, one file each.
 #include "app/desk.h"
 #include "app/param_widgets.h"
+#include "app/picture_texture.h"
 
 namespace luminist {
 
@@ -17,6 +18,17 @@ void history_panel(Desk& desk);
 void solve_panel(Desk& desk);
 /// What became of each stroke, and what would help.
 void verdict_panel(Desk& desk);
+/// Other lights for the same paint, the same picture with fewer lights: a tray of pictures to choose from.
+class ExplorePanel {
+ public:
+  void draw(Desk& desk);
+
+ private:
+  void refresh(const Desk& desk);
+  std::shared_ptr<const std::vector<Offer>> shown_;
+  DisplayOptions display_;
+  std::vector<std::unique_ptr<PictureTexture>> pictures_;
+};
 /// Which picture is shown, and how.
 void view_bar(Desk& desk);
 void menu_bar(Desk& desk);

@@ -24,7 +24,8 @@ void channels(Desk& desk) {
                                                                      {Channel::kImportance, Deed::kViewImportance}}};
   for (const auto& [channel, deed] : usual) {
     const ChannelFacts& facts = facts_of(channel);
-    if (word(desk, facts.name, !desk.wipe && desk.channel == channel, desk.with_key(facts.doc, deed).c_str())) {
+    if (word(desk, facts.name, !desk.wipe && !desk.orbit && desk.channel == channel,
+             desk.with_key(facts.doc, deed).c_str())) {
       perform(desk, deed);
     }
     ImGui::SameLine(0.0F, gap);
@@ -33,14 +34,18 @@ void channels(Desk& desk) {
     perform(desk, Deed::kWipe);
   }
   ImGui::SameLine(0.0F, gap);
+  if (word(desk, "Orbit", desk.orbit, desk.with_key("The shot from anywhere, with its lights", Deed::kOrbit).c_str())) {
+    perform(desk, Deed::kOrbit);
+  }
+  ImGui::SameLine(0.0F, gap);
   const bool other = !desk.wipe && static_cast<int>(desk.channel) >= static_cast<int>(Channel::kAlbedo);
-  ImGui::SetNextItemWidth(desk.theme.px(92.0F));
+  ImGui::SetNextItemWidth(desk.theme.px(84.0F));
   if (ImGui::BeginCombo("##channel", other ? facts_of(desk.channel).name : "More")) {
     for (int i = static_cast<int>(Channel::kAlbedo); i < kChannels; ++i) {
       const auto channel = static_cast<Channel>(i);
       if (ImGui::Selectable(facts_of(channel).name, other && desk.channel == channel)) {
         desk.channel = channel;
-        desk.wipe = false;
+        desk.wipe = desk.orbit = false;
       }
       tip(desk.theme, facts_of(channel).doc);
     }
@@ -50,12 +55,12 @@ void channels(Desk& desk) {
 
 void exposure(Desk& desk) {
   const Theme& theme = desk.theme;
-  ImGui::SetNextItemWidth(theme.px(96.0F));
+  ImGui::SetNextItemWidth(theme.px(84.0F));
   ImGui::SliderFloat("##exposure", &desk.display.exposure, -6.0F, 6.0F, "%+.1f stops");
   tip(theme, "Exposure of the view; the lights stay as they are. Double click: 0.");
   if (ImGui::IsItemHovered() && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) desk.display.exposure = 0.0F;
   ImGui::SameLine(0.0F, theme.px(4.0F));
-  ImGui::SetNextItemWidth(theme.px(106.0F));
+  ImGui::SetNextItemWidth(theme.px(100.0F));
   int transform = static_cast<int>(desk.display.transform);
   const auto names = view_transform_names();
   if (ImGui::BeginCombo("##transform", names[static_cast<std::size_t>(transform)].c_str())) {
@@ -73,7 +78,7 @@ void exposure(Desk& desk) {
 
 void view_bar(Desk& desk) {
   channels(desk);
-  const float width = desk.theme.px(206.0F);
+  const float width = desk.theme.px(190.0F);
   ImGui::SameLine(std::max(ImGui::GetContentRegionMax().x - width, desk.theme.px(60.0F)));
   exposure(desk);
 }

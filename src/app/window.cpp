@@ -52,8 +52,8 @@ Result<std::unique_ptr<Window>> Window::create(const std::string& title, int wid
   IMGUI_CHECKVERSION();
   ImGui::CreateContext();
   ImGui::GetIO().IniFilename = nullptr;
-  window->install_callbacks();  // before ImGui's, which call these
-  if (!ImGui_ImplGlfw_InitForOpenGL(window->handle_, true) || !ImGui_ImplOpenGL3_Init("#version 330")) {
+  window->install_callbacks();  // ours alone: they pass on to ImGui
+  if (!ImGui_ImplGlfw_InitForOpenGL(window->handle_, false) || !ImGui_ImplOpenGL3_Init("#version 330")) {
     return no_window("the window cannot be drawn on");
   }
   return window;
@@ -94,21 +94,25 @@ void Window::install_callbacks() {
     of(handle).pointer_ = Vec2(x, y);
     of(handle).add({HandEvent::Kind::kMove, {}, 0, 0, 0.0F, 1.0F});
   });
-  glfwSetMouseButtonCallback(handle_, [](GLFWwindow* handle, int button, int action, int) {
+  glfwSetMouseButtonCallback(handle_, [](GLFWwindow* handle, int button, int action, int mods) {
+    of(handle).buttons_.push_back({button, action, mods});
     const auto kind = action == GLFW_PRESS ? HandEvent::Kind::kPress : HandEvent::Kind::kRelease;
     of(handle).add({kind, {}, button, 0, 0.0F, 1.0F});
   });
-  glfwSetScrollCallback(handle_, [](GLFWwindow* handle, double, double up) {
+  glfwSetScrollCallback(handle_, [](GLFWwindow* handle, double across, double up) {
+    ImGui_ImplGlfw_ScrollCallback(handle, across, up);
     of(handle).add({HandEvent::Kind::kScroll, {}, 0, 0, static_cast<float>(up), 1.0F});
   });
-  glfwSetKeyCallback(handle_, [](GLFWwindow* handle, int key, int, int action, int mods) {
+  glfwSetKeyCallback(handle_, [](GLFWwindow* handle, int key, int code, int action, int mods) {
+    ImGui_ImplGlfw_KeyCallback(handle, key, code, action, mods);
     constexpr int kKnown = GLFW_MOD_CONTROL | GLFW_MOD_SHIFT | GLFW_MOD_ALT;
     of(handle).any_event_ = true;
     if (action != GLFW_RELEASE) of(handle).keys_.push_back({key, mods & kKnown});
   });
-  const auto note = [](GLFWwindow* handle) { of(handle).any_event_ = true; };
-  static_cast<void>(note);
-  glfwSetWindowRefreshCallback(handle_, note);
+  glfwSetCharCallback(handle_, ImGui_ImplGlfw_CharCallback);
+  glfwSetWindowFocusCallback(handle_, ImGui_ImplGlfw_WindowFocusCallback);
+  glfwSetCursorEnterCallback(handle_, ImGui_ImplGlfw_CursorEnterCallback);
+  glfwSetWindowRefreshCallback(handle_, [](GLFWwindow* handle) { of(handle).any_event_ = true; });
   glfwSetFramebufferSizeCallback(handle_, [](GLFWwindow* handle, int, int) { of(handle).any_event_ = true; });
 }
 
@@ -145,7 +149,19 @@ void Window::set_title(const std::string& title) {
   glfwSetWindowTitle(handle_, title.c_str());
 }
 
+/// A press counts for what was hovered in a frame before it, so one that came together with a move waits for the next.
+void Window::pass_on_buttons() {
+  const bool moved = std::exchange(framed_, pointer_) != pointer_;
+  if (buttons_.empty()) return;
+  any_event_ = true;
+  if (moved) return;
+  for (const Button& button : std::exchange(buttons_, {})) {
+    ImGui_ImplGlfw_MouseButtonCallback(handle_, button.button, button.action, button.mods);
+  }
+}
+
 void Window::begin_frame() {
+  pass_on_buttons();
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
   ImGui::NewFrame();

@@ -50,11 +50,19 @@ class Window {
   void install_callbacks();
   [[nodiscard]] int mods() const;
   void add(HandEvent event);
+  void pass_on_buttons();
 
   GLFWwindow* handle_ = nullptr;
   std::vector<HandEvent> hand_;
   std::vector<KeyPress> keys_;
+  struct Button {
+    int button = 0;
+    int action = 0;
+    int mods = 0;
+  };
+  std::vector<Button> buttons_;  ///< not told to ImGui yet
   Vec2 pointer_{0.0F};
+  Vec2 framed_{-1.0F};  ///< the pointer of the last frame
   float scale_ = 1.0F;
   bool software_ = false;
   bool any_event_ = false;

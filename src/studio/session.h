@@ -3,11 +3,9 @@
 #include <chrono>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
-#include "paint/canvas.h"
 #include "project/paint_document.h"
 #include "project/project.h"
 #include "solve/start_light.h"
@@ -77,6 +75,8 @@ class Session {
   Result<void> load_rig(const std::string& path, const std::filesystem::path& folder);
   /// Looks at the same shot in another style. cost compiling it. errors kStyle, kMissing.
   Result<void> restyle(const std::string& name);
+  /// Its files were written anew. errors those of luminist::reload_style(): the last good version stays.
+  Result<void> reload_style();
 
   // Paint ----------------------------------------------------------------------------------------------------------
   /// Strokes, with their nu and delta; path is their file's, for messages and copies. errors those of Canvas::apply().
@@ -122,7 +122,6 @@ class Session {
   struct Parts;  ///< what a session is made of
   explicit Session(Parts parts);
   Result<Canvas*> canvas();
-  Result<ShadowPair> shadow_pair(const ParamState& lights);
   Result<StartLight> start_light();
   Result<void> commit(const std::string& label, const std::string& action, const Document& next);
   Result<void> commit_state(const std::string& label, const std::string& action, ParamState next);

@@ -8,6 +8,7 @@
 #include "project/state_document.h"
 #include "studio/constraint_words.h"
 #include "studio/session.h"
+#include "studio/style_reload.h"
 
 namespace luminist {
 namespace {
@@ -177,6 +178,20 @@ Result<void> Session::restyle(const std::string& name) {
   shot_ = std::move(shot);
   state_ = std::move(next);
   return {};
+}
+
+Result<void> Session::reload_style() {
+  LUM_TRY(ParamState next, luminist::reload_style(*stage_, roots_, state_));
+  drop_proposal();
+  solved_.reset();
+  canvas_.reset();
+  state_ = std::move(next);
+  Document document = project_.document();
+  document.erase_below("style/");
+  document.erase_below("locks/style/");
+  write_state(state_, document);
+  return commit("New version of the style " + shot_.style, Json{{"do", "style"}, {"name", shot_.style}}.dump(),
+                document);
 }
 
 }  // namespace luminist

@@ -68,6 +68,15 @@ Result<ParamState> starting_state(const Stage& stage, const AssetRoots& roots, c
   return state;
 }
 
+Result<ShadowPair> render_shadow_pair(Renderer& renderer, const ParamState& lights) {
+  ParamState free_lights_off = lights;
+  for (Light& light : free_lights_off.rig.lights) light.muted = light.muted || may_change(lights.rig, light);
+  ShadowPair pair;
+  LUM_TRY(pair.free_lights_off, renderer.render(free_lights_off));
+  LUM_TRY(pair.shadows_off, renderer.render(lights, RenderOptions{.shadows = false}));
+  return pair;
+}
+
 void warn_of_ranges(const ParamState& state, const std::vector<std::string>& assignments, const SceneFrame& frame,
                     Diagnostics& diagnostics) {
   for (const std::string& assignment : assignments) {

@@ -46,6 +46,14 @@ struct HistoryFacts {
   bool writable = true;
 };
 
+/// Lights that were found beyond one solve, for the lighter to choose from.
+struct Offer {
+  std::string title;
+  std::shared_ptr<const Image> picture;  ///< small
+  ParamState lights;
+  SolveReport report;
+};
+
 struct StudioSnapshot {
   std::uint64_t version = 0;  ///< grows
   std::shared_ptr<const ShotFacts> facts;
@@ -67,6 +75,7 @@ struct StudioSnapshot {
   bool live = true;  ///< the lights follow the brush
   std::optional<SolveReport> report;
   std::optional<Verdict> verdict;
+  std::shared_ptr<const std::vector<Offer>> offers;  ///< null: nothing was looked for
   HistoryFacts history;
 };
 

@@ -102,6 +102,15 @@ void StudioThread::cancel() {
   });
 }
 
+bool StudioThread::progress(std::string label) {
+  {
+    const std::lock_guard lock(mutex_);
+    doing_ = std::move(label);
+  }
+  if (options_.on_change) options_.on_change();
+  return !cancelled_;
+}
+
 std::shared_ptr<const StudioSnapshot> StudioThread::latest() const {
   const std::lock_guard lock(mutex_);
   return latest_;
@@ -160,7 +169,7 @@ void StudioThread::reopen(const std::string& why) {
 /// Waits for the next job, or takes none if there is more to do without one. returns whether there is a job.
 bool StudioThread::take(Entry& entry, bool more) {
   std::unique_lock lock(mutex_);
-  if (!more) wake_.wait_for(lock, std::chrono::seconds(2), [this] { return ending_ || !queue_.empty(); });
+  if (!more) wake_.wait_for(lock, std::chrono::milliseconds(500), [this] { return ending_ || !queue_.empty(); });
   if (ending_ || queue_.empty()) return false;
   entry = std::move(queue_.front());
   queue_.pop_front();
@@ -225,6 +234,19 @@ bool StudioThread::step() {
   return going;
 }
 
+/// What waits until there is nothing else to do.
+void StudioThread::idle() {
+  if (!bench_->has_session()) return;
+  attend(bench_->sync_if_due());
+  attend(bench_->prepare());
+  const auto refreshed = bench_->refresh_style();
+  if (!refreshed) attend(refreshed.error());
+  if (refreshed && *refreshed) {
+    tell({StudioMessage::Kind::kNote, "the style was read again", "", ""});
+    publish();
+  }
+}
+
 void StudioThread::run() {
   if (!open_device()) return;
   bool more = false;
@@ -242,7 +264,7 @@ void StudioThread::run() {
         if (ending_) break;
       }
       more = more && step();
-      if (!more && bench_->has_session()) attend(bench_->sync_if_due());
+      if (!more) idle();
     } catch (const std::exception& exception) {
       more = false;
       reopen(std::string("something went wrong: ") + exception.what());

@@ -56,6 +56,8 @@ class StudioThread {
   /// Ends what runs: a solve keeps its best; a task that asks cancelled() comes to its end.
   void cancel();
   [[nodiscard]] bool cancelled() const { return cancelled_; }
+  /// What the job that runs is at, in place of its label. returns whether to go on.
+  bool progress(std::string label);
 
   /// Never null.
   [[nodiscard]] std::shared_ptr<const StudioSnapshot> latest() const;
@@ -89,6 +91,7 @@ class StudioThread {
   void work(Entry entry);
   void attend(const Result<void>& result);
   bool step();
+  void idle();
   void publish();
 
   Options options_;

@@ -45,10 +45,14 @@ Result<void> Workbench::open_project(const fs::path& folder) {
 
 Result<void> Workbench::adopt_session(std::unique_ptr<Session> session) {
   live_painting_.reset();  // it looks at the stage of the session before
+  quick_painting_.reset();
+  quick_stage_.reset();
   canvas_.reset();
   stroke_.reset();
   trial_.reset();
   solo_.clear();
+  offers_.reset();
+  style_files_.reset();
   session_ = std::move(session);
   solving_ = follow_again_ = resting_ = proposal_put_ = false;
   unanswered_ = session_->painted() ? 1 : 0;
@@ -111,8 +115,12 @@ Result<void> Workbench::begin_stroke(const Stroke& stroke, const fs::path& folde
   if (stroke_) LUM_TRY_VOID(finish_stroke());
   trial_.reset();
   if (std::exchange(solving_, false)) session_->stop_solve();
-  const bool live = can_follow();
-  if (live) {
+  const bool follows = can_follow();
+  const bool quick = follows && quick_stage_ != nullptr;
+  const bool live = follows && !quick;
+  if (quick) {
+    LUM_TRY_VOID(begin_quick(stroke, folder));
+  } else if (live) {
     if (!live_painting_) LUM_TRY_VOID(follow());
     LUM_TRY(const LiveEvent event, live_painting_->begin(stroke, folder.string()));
     live_epsilon_ = event.epsilon;
@@ -122,11 +130,40 @@ Result<void> Workbench::begin_stroke(const Stroke& stroke, const fs::path& folde
     LUM_TRY_VOID(hand_canvas());
     LUM_TRY_VOID(canvas_->begin_stroke(stroke, folder.string()));
   }
-  stroke_ = {stroke, folder, live};
+  stroke_ = {stroke, folder, live, quick};
   proposal_put_ = follow_again_ = false;
   if (unanswered_ == 0) unanswered_ = strokes() + 1;
-  forget_pictures();
+  painted_.reset();
+  if (!quick || quick_painting_->has_lights()) picture_.reset();
   return {};
+}
+
+/// The full canvas takes the stroke for the eye, the small one for the lights.
+Result<void> Workbench::begin_quick(const Stroke& stroke, const fs::path& folder) {
+  LUM_TRY_VOID(put_proposal());
+  live_painting_.reset();
+  LUM_TRY_VOID(hand_canvas());
+  const ParamState& start = session_->shown();
+  LUM_TRY(LivePainting painting,
+          quick_stage_->paint(canvas_->state(), session_->state(), start, waiting_lights(start.rig)));
+  LUM_TRY_VOID(canvas_->begin_stroke(stroke, folder.string()));
+  LUM_TRY(const LiveEvent event, painting.begin(stroke, folder.string()));
+  live_epsilon_ = event.epsilon;
+  quick_painting_ = std::move(painting);
+  return {};
+}
+
+/// What the small pictures found is the proposal from which the full ones go on.
+void Workbench::end_quick() {
+  if (quick_painting_ && quick_painting_->has_lights()) {
+    SolveReport report;
+    report.solver = "live";
+    report.epsilon_start = start_epsilon_;
+    report.epsilon = live_epsilon_;
+    session_->propose(quick_painting_->best(), {{}, report, canvas_->target(), "Accept a live solve"});
+  }
+  quick_painting_.reset();
+  follow_again_ = true;
 }
 
 Result<void> Workbench::extend_stroke(std::span<const StrokePoint> points) {
@@ -137,8 +174,13 @@ Result<void> Workbench::extend_stroke(std::span<const StrokePoint> points) {
   } else {
     LUM_TRY_VOID(canvas_->extend_stroke(points));
   }
+  if (stroke_->quick) {
+    LUM_TRY(const LiveEvent event, quick_painting_->extend(points));
+    live_epsilon_ = event.epsilon;
+  }
   stroke_->stroke.points.insert(stroke_->stroke.points.end(), points.begin(), points.end());
-  forget_pictures();
+  painted_.reset();
+  if (!stroke_->quick || quick_painting_->has_lights()) picture_.reset();
   return {};
 }
 
@@ -157,7 +199,12 @@ Result<void> Workbench::finish_stroke() {
     return done;
   }
   resting_ = held.live;
-  forget_pictures();
+  painted_.reset();
+  if (held.quick) {
+    end_quick();  // its picture stays until there is a full one
+  } else {
+    picture_.reset();
+  }
   note_history();
   return {};
 }
@@ -170,6 +217,7 @@ void Workbench::cancel_stroke() {
 void Workbench::drop_stroke() {
   stroke_.reset();
   live_painting_.reset();
+  quick_painting_.reset();
   canvas_.reset();
   follow_again_ = session_->painted();
   if (unanswered_ > strokes()) unanswered_ = 0;
@@ -182,7 +230,7 @@ Result<void> Workbench::lay(const Stroke& stroke, const fs::path& folder) {
   trial_.reset();
   ++strokes_taken_;
   const std::uint32_t first = strokes() + 1;
-  if (can_follow()) {
+  if (can_follow() && quick_stage_ == nullptr) {
     if (!live_painting_) LUM_TRY_VOID(follow());
     LUM_TRY(const LiveEvent event, live_painting_->bucket(stroke, folder.string()));
     live_epsilon_ = event.epsilon;
@@ -191,11 +239,16 @@ Result<void> Workbench::lay(const Stroke& stroke, const fs::path& folder) {
     LUM_TRY_VOID(put_proposal());
     live_painting_.reset();
     canvas_.reset();
+    follow_again_ = can_follow();
   }
+  const auto shown = session_->has_proposal() ? std::optional(session_->shown()) : std::nullopt;
+  const Solved* solved = session_->solved();
+  const auto before = shown && solved != nullptr ? std::optional(*solved) : std::nullopt;
   if (auto done = session_->paint(file_of(stroke), file_in(folder)); !done) {
     drop_stroke();
     return done;
   }
+  if (shown && before && !live_painting_) session_->propose(*shown, *before);  // the lights go on from there
   proposal_put_ = false;
   if (unanswered_ == 0) unanswered_ = first;
   forget_pictures();
@@ -287,6 +340,8 @@ void Workbench::stop() {
 }
 
 Result<void> Workbench::judge() {
+  if (std::exchange(solving_, false)) session_->stop_solve();
+  resting_ = follow_again_ = false;  // other lights would need another verdict
   LUM_TRY_VOID(put_proposal());
   LUM_TRY_VOID(session_->judge());
   return {};
@@ -312,6 +367,8 @@ Result<bool> Workbench::step(std::chrono::milliseconds slice) {
   resting_ = event.more;
   live_epsilon_ = event.epsilon;
   if (event.changed) picture_.reset(), proposal_put_ = false;
+  const Shot& shot = session_->shot();
+  if (picture_ && picture_->width != shot.width && live_painting_->has_lights()) picture_.reset();
   if (live_painting_->has_lights() && (event.changed || !event.more)) unanswered_ = 0;
   return resting_;
 }

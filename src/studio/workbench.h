@@ -10,9 +10,12 @@
 #include <string>
 #include <vector>
 
+#include "studio/exploration.h"
 #include "studio/live_painting.h"
+#include "studio/quick_stage.h"
 #include "studio/session.h"
 #include "studio/studio_snapshot.h"
+#include "studio/style_reload.h"
 
 namespace luminist {
 
@@ -63,6 +66,18 @@ class Workbench {
   void stop();
   Result<void> judge();
 
+  // What there is beyond one solve; an offer that is taken becomes the proposal.
+  Result<void> offer_alternatives(const ExploreWatch& watch);  ///< other lights for the paint. cost minutes
+  Result<void> offer_diet(const ExploreWatch& watch);          ///< the same picture with fewer lights. cost minutes
+  Result<void> take_offer(std::size_t offer);
+
+  /// On a machine without a graphics processor: gets a smaller stage ready for pictures while the brush moves.
+  /// errors those of QuickStage::open(). cost seconds, once a shot.
+  Result<void> prepare();
+  /// Reads the style again if its files were written since the last call. returns whether they were.
+  /// errors at the author's line; what is shown stays.
+  Result<bool> refresh_style();
+
   /// A slice of what goes on by itself. returns false when there is nothing more to do. errors the renderer's.
   Result<bool> step(std::chrono::milliseconds slice);
   /// What there is to show; version counts from here.
@@ -74,14 +89,18 @@ class Workbench {
   struct HeldStroke {
     Stroke stroke;
     std::filesystem::path folder;
-    bool live = false;  ///< goes to live_, else to canvas_
+    bool live = false;   ///< goes to live_painting_, else to canvas_
+    bool quick = false;  ///< and to quick_painting_
   };
   Result<void> adopt_session(std::unique_ptr<Session> session);
   Result<void> keep_unsaved();
   [[nodiscard]] bool can_follow() const;
+  Result<void> add_offer(std::vector<Offer>& offers, std::string title, const ParamState& lights, SolveReport report);
   [[nodiscard]] StrokeFile file_of(const Stroke& stroke) const;
   Result<void> follow();
   Result<void> hand_canvas();
+  Result<void> begin_quick(const Stroke& stroke, const std::filesystem::path& folder);
+  void end_quick();
   Result<void> finish_stroke();
   void drop_stroke();
   Result<void> put_proposal();
@@ -101,10 +120,14 @@ class Workbench {
   std::size_t warnings_told_ = 0;
   std::unique_ptr<Session> session_;
   std::optional<LivePainting> live_painting_;
-  std::optional<Canvas> canvas_;  ///< for strokes that no light follows
+  std::optional<Canvas> canvas_;  ///< for strokes that no light follows, or only a quick one
+  std::unique_ptr<QuickStage> quick_stage_;
+  std::optional<LivePainting> quick_painting_;
   std::optional<HeldStroke> stroke_;
   std::optional<ParamState> trial_;  ///< of preview()
   std::vector<std::string> solo_;
+  std::shared_ptr<const std::vector<Offer>> offers_;
+  std::optional<StyleFiles> style_files_;
   bool live_ = true;
   bool follow_again_ = false;  ///< the paint waits for lights that follow
   bool resting_ = false;       ///< live_painting_ has more to gain

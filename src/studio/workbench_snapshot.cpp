@@ -58,6 +58,7 @@ ShotFacts Workbench::facts() const {
 
 const ParamState& Workbench::shown_lights() const {
   if (trial_) return *trial_;
+  if (quick_painting_ && quick_painting_->has_lights()) return quick_painting_->best();
   return live_painting_ && live_painting_->has_lights() ? live_painting_->best() : session_->shown();
 }
 
@@ -78,6 +79,8 @@ Result<void> Workbench::refresh_pictures(StudioSnapshot& next) {
       }
       LUM_TRY(Image picture, session_->stage().renderer->render(shown));
       picture_ = std::make_shared<const Image>(std::move(picture));
+    } else if (quick_painting_ && quick_painting_->has_lights()) {
+      picture_ = std::make_shared<const Image>(quick_painting_->picture());
     } else if (lights) {
       picture_ = std::make_shared<const Image>(live_painting_->picture());
     } else {
@@ -101,9 +104,14 @@ Result<void> Workbench::refresh_pictures(StudioSnapshot& next) {
 
 void Workbench::tell_solve(StudioSnapshot& next) {
   const bool lights = live_painting_ && live_painting_->has_lights();
-  next.proposal = session_->has_proposal() || lights;
-  next.solving = solving_ || (live_painting_ && resting_);
-  if (lights && !proposal_put_) {
+  const bool quick = quick_painting_ && quick_painting_->has_lights();
+  next.proposal = session_->has_proposal() || lights || quick;
+  next.solving = solving_ || follow_again_ || (live_painting_ && resting_);
+  if (quick) {
+    next.report = SolveReport{};
+    next.report->solver = "live";
+    next.report->epsilon = live_epsilon_;
+  } else if (lights && !proposal_put_) {
     SolveReport report;
     report.solver = "live";
     report.epsilon_start = start_epsilon_;
@@ -124,10 +132,12 @@ Result<std::shared_ptr<const StudioSnapshot>> Workbench::snapshot() {
   next->strokes_taken = strokes_taken_;
   next->points_taken = stroke_ ? stroke_->stroke.points.size() : 0;
   next->solo = solo_;
+  next->offers = offers_;
   if (!session_) return std::shared_ptr<const StudioSnapshot>(next);
   if (facts_of_ != &session_->stage()) {
     facts_ = std::make_shared<const ShotFacts>(facts());
     facts_of_ = &session_->stage();
+    quick_stage_.reset();  // it was a smaller one of the stage before
   }
   next->facts = facts_;
   LUM_TRY_VOID(refresh_pictures(*next));

@@ -171,6 +171,43 @@ TEST_F(WorkbenchTest, AnUnsavedSessionIsThereAfterACrash) {
   EXPECT_FALSE(std::filesystem::exists(folder));
 }
 
+TEST_F(WorkbenchTest, ASmallerPictureFollowsTheBrushAndAFullOneComesWhenItRests) {
+  Shot large = shot();
+  large.width = 400;  // more than QuickStage::helps() leaves alone
+  large.height = 300;
+  LUM_EXPECT_OK(bench_->open(large, folder_.path()));
+  ASSERT_TRUE(device_->info().software || !QuickStage::helps(large)) << "the test wants software GL";
+  LUM_EXPECT_OK(bench_->prepare());
+  add_dark_light();
+  LUM_EXPECT_OK(bench_->prepare());
+  const Stroke whole = light_strokes().strokes.front();
+  LUM_EXPECT_OK(bench_->begin_stroke({whole.brush, {whole.points.front()}}, folder_.path()));
+  LUM_EXPECT_OK(bench_->extend_stroke(std::span(whole.points).subspan(1)));
+  const auto moving = look();
+  EXPECT_LT(moving->picture->width, 400);
+  EXPECT_EQ(moving->painted->color.width, 400) << "the paint itself is never small";
+  LUM_EXPECT_OK(bench_->end_stroke());
+  EXPECT_TRUE(look()->proposal) << "what was found while the brush moved is not lost";
+  for (int i = 0; i < 5; ++i) LUM_EXPECT_OK(bench_->step(milliseconds(5)));
+  EXPECT_EQ(look()->picture->width, 400);
+}
+
+TEST_F(WorkbenchTest, AnOfferThatIsTakenIsTheProposal) {
+  add_dark_light();
+  draw_stroke();
+  rest();
+  int asked = 0;
+  LUM_EXPECT_OK(bench_->offer_alternatives([&](const ExploreProgress&) { return ++asked < 3; }));
+  const auto offers = look()->offers;
+  ASSERT_TRUE(offers);
+  ASSERT_FALSE(offers->empty()) << "the best so far is an offer";
+  LUM_EXPECT_OK(bench_->take_offer(0));
+  EXPECT_TRUE(look()->proposal);
+  const ParamBlock& taken = offers->front().lights.rig.lights.front().params;
+  EXPECT_TRUE(look()->shown->rig.lights.front().params.same_values(taken));
+  EXPECT_EQ(error_of(bench_->take_offer(99)).kind, ErrorKind::kNothingToDo);
+}
+
 void ignore(const Result<void>& result) {
   static_cast<void>(result);
 }
