@@ -2,7 +2,7 @@
 """Fails when a module includes another that its luminist_module(... DEPS ...) does not reach.
 
 The declaration in src/<module>/CMakeLists.txt is the only one; this reads it. Also keeps heavy libraries in their
-module: GL in gpu and raster, OpenMesh in prep, CGAL in prep, Embree in rays, OpenImageIO in image_io's helper.
+module: GL in gpu, raster and app, GLFW and ImGui in app, OpenMesh in prep, CGAL in prep, Embree in rays, OpenImageIO in image_io's helper.
 """
 import pathlib
 import re
@@ -10,7 +10,10 @@ import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 LIBRARIES = {  # include prefix: modules (or folders below the root) that may use it
-    "epoxy/": {"gpu", "raster"},
+    "epoxy/": {"gpu", "raster", "app"},
+    "GLFW/": {"app"},
+    "imgui": {"app"},
+    "backends/imgui": {"app"},
     "EGL/": {"gpu"},
     "OpenMesh/": {"prep"},
     "CGAL/": {"prep"},

@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <csignal>
+#include <filesystem>
 #include <new>
 #include <stdexcept>
 #include <string_view>
@@ -12,6 +13,8 @@
 
 #include <fmt/format.h>
 
+#include "app/studio_app.h"
+#include "app/window.h"
 #include "cli/verb.h"
 
 namespace luminist {
@@ -82,13 +85,35 @@ int run_verb(const Verb& verb, Console& console, StopSignals& signals) {
   return stopped ? 128 + signals.stopped() : static_cast<int>(status.error().kind);
 }
 
+/// No verb opens the window; so does a file in its place. Without a display the former is told how to be used.
+bool wants_window(int argc, char** argv) {
+  if (argc == 1) return has_display();
+  return argc == 2 && argv[1][0] != '-' && std::filesystem::path(argv[1]).has_extension();
+}
+
+int open_window(int argc, char** argv, Console& console) {
+  Result<int> status = 0;
+  std::error_code error;
+  if (argc > 1 && !std::filesystem::exists(argv[1], error)) {
+    status = Error{ErrorKind::kMissing, "there is no such file", argv[1], "", "give a scene or a project"};
+  } else {
+    status = run_studio({AssetRoots::standard(), argc > 1 ? argv[1] : ""});
+  }
+  if (status) return *status;
+  console.error(status.error());
+  return static_cast<int>(status.error().kind);
+}
+
 int understand_and_run(int argc, char** argv, Console& console) {
+  if (wants_window(argc, argv)) return open_window(argc, argv, console);
   StopSignals signals;
   CLI::App app("Luminist lights a 3D scene from paint: paint the light that you want to see, and it finds the lights.",
                "luminist");
   app.set_version_flag("--version", LUMINIST_VERSION);
   app.require_subcommand(1);
-  app.footer("Each verb has examples: luminist solve --help");
+  app.footer(
+      "luminist SCENE or luminist PROJECT.lum opens the studio window, luminist alone the demo scene.\n"
+      "Each verb has examples: luminist solve --help");
   const std::vector<DeclaredVerb> verbs = declare_verbs(app);
   try {
     app.parse(argc, argv);

@@ -121,7 +121,7 @@ Verb declare_replay(CLI::App& app) {
       "  {\"do\": \"contact_sheet\", \"to\": \"sheet.png\"}\n"
       "  {\"do\": \"save\", \"project\": \"x.lum\"}\n"
       "others: set, lock, remove_light, mute, share_shadows, load_rig, style, importance, target, clear_paint, "
-      "remedy, revert,\n"
+      "remedy, adopt, revert,\n"
       "undo, redo. Inputs are looked for beside the script, then where the program's own files are.");
   return [words](VerbContext& context) { return replay(*words, context); };
 }

@@ -1,6 +1,7 @@
 #pragma once
 // solve/start_light.h -- where a new light starts (paper, section 5.2).
 #include <span>
+#include <string>
 #include <vector>
 
 #include "base/result.h"
@@ -42,6 +43,11 @@ Result<std::vector<StartLight>> estimate_start_lights(int count, const SurfaceBu
 /// numbers: half width and height, tangents), falloff_distance (where the colour is what it says). Stays in the ranges
 /// of position, color and shape; a position moved for that looks at the hot spot again.
 void apply_start_light(const StartLight& start, Light& light);
+
+/// The same for lights of a rig, by name: each begins where its share of the paint says. errors as above; kNothingToDo
+/// if the paint is of fewer kinds.
+Result<void> place_lights(std::span<const std::string> names, const SurfaceBuffer& surface, const Target& target,
+                          const SceneFrame& frame, LightRig& rig);
 
 /// [pixels] how much paint adds: the sum of T - b over the channels where the pixel was lightened as said above, else
 /// 0.

@@ -115,4 +115,17 @@ Result<std::vector<StartLight>> estimate_start_lights(int count, const SurfaceBu
   return starts;
 }
 
+Result<void> place_lights(std::span<const std::string> names, const SurfaceBuffer& surface, const Target& target,
+                          const SceneFrame& frame, LightRig& rig) {
+  LUM_TRY(const std::vector<StartLight> starts,
+          estimate_start_lights(static_cast<int>(names.size()), surface, target, frame));
+  if (starts.size() < names.size()) {
+    return Error{ErrorKind::kNothingToDo, "the paint is of fewer kinds than there are new lights", "", "", ""};
+  }
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (Light* light = rig.find(names[i])) apply_start_light(starts[i], *light);
+  }
+  return {};
+}
+
 }  // namespace luminist

@@ -92,15 +92,7 @@ Result<void> LivePainting::retarget(const PixelBox& box) {
 
 Result<ParamState> LivePainting::lights_from_paint() const {
   ParamState lights = start_;
-  const int count = static_cast<int>(new_lights_.size());
-  LUM_TRY(const std::vector<StartLight> starts,
-          estimate_start_lights(count, stage_->renderer->surface(), canvas_.target(), stage_->frame));
-  if (starts.size() < new_lights_.size()) {
-    return Error{ErrorKind::kNothingToDo, "the paint is of fewer kinds than there are new lights", "", "", ""};
-  }
-  for (std::size_t i = 0; i < new_lights_.size(); ++i) {
-    if (Light* light = lights.rig.find(new_lights_[i])) apply_start_light(starts[i], *light);
-  }
+  LUM_TRY_VOID(place_lights(new_lights_, stage_->renderer->surface(), canvas_.target(), stage_->frame, lights.rig));
   return lights;
 }
 

@@ -33,7 +33,7 @@ const std::vector<ScriptRunner::Verb>& ScriptRunner::verbs() {
       {"unlock", {"pattern"}, &R::lock},
       {"constrain", {"rules"}, &R::constrain},
       {"set_constraints", {"rules"}, &R::constrain},
-      {"add_light", {"type", "name", "group", "from_paint", "lock_others", "count"}, &R::add_light},
+      {"add_light", {"type", "name", "group", "from_paint", "lock_others", "dark", "count"}, &R::add_light},
       {"remove_light", {"light"}, &R::remove_light},
       {"mute", {"light", "muted"}, &R::mute},
       {"link_light", {"light", "objects"}, &R::link_light},
@@ -53,6 +53,7 @@ const std::vector<ScriptRunner::Verb>& ScriptRunner::verbs() {
       {"diet", {"budget", "fewest", "breadth", "seed", "to", "take"}, &R::diet},
       {"remedy", {"stroke"}, &R::remedy},
       {"accept", kNone, &R::accept},
+      {"adopt", kNone, &R::adopt},
       {"revert", kNone, &R::revert},
       {"undo", {"steps"}, &R::step_history},
       {"redo", {"steps"}, &R::step_history},
@@ -128,9 +129,7 @@ Result<void> ScriptRunner::set(const Action& action) {
 Result<void> ScriptRunner::lock(const Action& action) {
   LUM_TRY(const std::vector<std::string> patterns, action.texts("pattern"));
   if (patterns.empty()) return action.wrong(fmt::format("\"{}\" needs this field", action.verb()), "pattern");
-  for (const std::string& pattern : patterns) {
-    LUM_TRY_VOID(session_->set_locked(pattern, action.verb() == "lock"));
-  }
+  LUM_TRY_VOID(session_->set_locked(patterns, action.verb() == "lock"));
   return {};
 }
 
@@ -141,11 +140,13 @@ Result<void> ScriptRunner::add_light(const Action& action) {
   LUM_TRY(const auto group, action.text("group"));
   LUM_TRY(const auto from_paint, action.flag("from_paint"));
   LUM_TRY(const auto lock_others, action.flag("lock_others"));
+  LUM_TRY(const auto dark, action.flag("dark"));
   light.type = type.value_or(light.type);
   light.name = name.value_or(light.name);
   light.group = group.value_or("");
   light.from_paint = from_paint.value_or(true);
   light.lock_others = lock_others.value_or(true);
+  light.dark = dark.value_or(false);
   LUM_TRY(const auto count, action.number("count"));
   if (count) {
     if (!(*count >= 1.0 && *count <= 64.0 && *count == std::floor(*count))) {
@@ -265,6 +266,9 @@ Result<void> ScriptRunner::clear_paint(const Action&) {
 }
 Result<void> ScriptRunner::accept(const Action&) {
   return session_->accept();
+}
+Result<void> ScriptRunner::adopt(const Action&) {
+  return session_->adopt();
 }
 Result<void> ScriptRunner::revert(const Action&) {
   return session_->revert();

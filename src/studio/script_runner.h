@@ -75,6 +75,7 @@ class ScriptRunner {
   Result<void> diet(const Action& action);
   Result<void> remedy(const Action& action);
   Result<void> accept(const Action& action);
+  Result<void> adopt(const Action& action);
   Result<void> revert(const Action& action);
   Result<void> step_history(const Action& action);
   Result<void> write(const Action& action);

@@ -3,7 +3,6 @@
 #include <chrono>
 #include <functional>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -45,15 +44,15 @@ class Session : private SessionData {
   Result<const Image*> picture();
   /// What is painted on, to go on with beside the session (studio/live_painting.h), which outlives it. errors the same.
   Result<Canvas> canvas_copy();
-  /// What is painted. Valid until the next call. errors the renderer's; a tile that is gone.
-  Result<const Target*> target();
+  Result<const Target*> target();  ///< What is painted, until the next call. errors the renderer's; a tile is gone.
   [[nodiscard]] bool painted() const { return has_paint(project_.document()); }
 
   // Lights and style -----------------------------------------------------------------------------------------------
   /// Assignments as "lights/key/barn=0.3,0.3,0.1", all or none; constraints then move what they must. errors kUsage.
   Result<void> set(const std::vector<std::string>& assignments);
-  /// returns how many degrees of freedom the pattern names. errors kUsage if none.
-  Result<int> set_locked(const std::string& pattern, bool locked);
+  /// returns how many degrees of freedom the patterns name. errors kUsage if one names none.
+  Result<int> set_locked(const std::string& pattern, bool locked) { return set_locked(std::vector{pattern}, locked); }
+  Result<int> set_locked(const std::vector<std::string>& patterns, bool locked);
   [[nodiscard]] bool locks_chosen() const { return locks_chosen_; }  ///< since the session was opened
   /// Locks the other lights unless told otherwise. returns its name. errors kNothingToDo without light paint, kUsage.
   Result<std::string> add_light(const NewLight& wanted);
@@ -84,6 +83,8 @@ class Session : private SessionData {
   Result<int> remove_keys(const std::string& pattern);
   /// Looks at the same shot in another style. cost compiling it. errors kStyle, kMissing.
   Result<void> restyle(const std::string& name);
+  /// Its files were written anew. errors those of luminist::reload_style(): the last good version stays.
+  Result<void> reload_style();
 
   // Paint ----------------------------------------------------------------------------------------------------------
   /// Strokes, with their nu and delta; path is their file's, for messages and copies. errors those of Canvas::apply().
@@ -95,7 +96,7 @@ class Session : private SessionData {
   Result<void> clear_paint();  ///< errors kNothingToDo
 
   // Solving --------------------------------------------------------------------------------------------------------
-  /// errors kNothingToDo: nothing painted, everything locked, nothing counts.
+  /// Dark lights begin where the paint says. errors kNothingToDo: nothing painted, everything locked, nothing counts.
   Result<void> start_solve(const SolveOptions& options);
   /// The same from other lights than those in force, for another target than what is painted.
   Result<void> start_solve(ParamState lights, Target target, const SolveOptions& options, const std::string& label);
@@ -113,13 +114,13 @@ class Session : private SessionData {
   Result<void> apply_remedy(std::uint32_t stroke);  ///< what the verdict advises; errors kNothingToDo
   /// The proposal becomes the lights in force, its picture what is painted on; or it goes. errors kNothingToDo.
   Result<void> accept();
+  Result<void> adopt();  ///< The lights only: the paint stays for another solve. errors kNothingToDo.
   Result<void> revert();
   /// The proposal's, or that of the last accepted solve; null if there is none.
   [[nodiscard]] const Solved* solved();
 
   // History --------------------------------------------------------------------------------------------------------
-  /// errors those of Project.
-  Result<void> undo();
+  Result<void> undo();  ///< errors those of Project; redo's too
   Result<void> redo();
   Result<void> save() { return project_.save(); }
   Result<void> sync_if_due() { return project_.sync_if_due(); }
@@ -128,7 +129,6 @@ class Session : private SessionData {
  private:
   explicit Session(SessionData data) : SessionData(std::move(data)) {}
   Result<Canvas*> canvas();
-  Result<ShadowPair> shadow_pair(const ParamState& lights);
   Result<StartLight> start_light();
   Result<void> commit(const std::string& label, const std::string& action, const Document& next);
   Result<void> commit_state(const std::string& label, const std::string& action, ParamState next);

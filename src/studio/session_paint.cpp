@@ -51,26 +51,18 @@ Image fitted(Image image, const Shot& shot, const char* field, Diagnostics& diag
 Result<Canvas*> Session::canvas() {
   if (canvas_) return &*canvas_;
   LUM_TRY(Image picture, stage_->renderer->render(state_));
-  Canvas canvas(stage_->renderer->surface(), std::move(picture), [this] { return shadow_pair(state_); });
+  Canvas canvas(stage_->renderer->surface(), std::move(picture),
+                [this] { return render_shadow_pair(*stage_->renderer, state_); });
   LUM_TRY(CanvasState painted, read_paint(project_.document(), project_.tiles(), canvas.state()));
   canvas.restore(std::move(painted));
   canvas_ = std::move(canvas);
   return &*canvas_;
 }
 
-Result<ShadowPair> Session::shadow_pair(const ParamState& lights) {
-  ParamState free_lights_off = lights;
-  for (Light& light : free_lights_off.rig.lights) light.muted = light.muted || may_change(lights.rig, light);
-  ShadowPair pair;
-  LUM_TRY(pair.free_lights_off, stage_->renderer->render(free_lights_off));
-  LUM_TRY(pair.shadows_off, stage_->renderer->render(lights, RenderOptions{.shadows = false}));
-  return pair;
-}
-
 Result<Canvas> Session::canvas_copy() {
   LUM_TRY(const Canvas* canvas, this->canvas());
   Canvas copy(stage_->renderer->surface(), canvas->target().before,
-              [this, lights = state_] { return shadow_pair(lights); });
+              [this, lights = state_] { return render_shadow_pair(*stage_->renderer, lights); });
   copy.restore(canvas->state());
   return copy;
 }

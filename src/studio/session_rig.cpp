@@ -9,6 +9,7 @@
 #include "rig/light_links.h"
 #include "studio/constraint_words.h"
 #include "studio/session.h"
+#include "studio/style_reload.h"
 
 namespace luminist {
 namespace {
@@ -42,12 +43,16 @@ Result<void> Session::set(const std::vector<std::string>& assignments) {
   return commit_state(label, Json{{"do", "set"}, {"values", assignments}}.dump(), std::move(next));
 }
 
-Result<int> Session::set_locked(const std::string& pattern, bool locked) {
+Result<int> Session::set_locked(const std::vector<std::string>& patterns, bool locked) {
   ParamState next = state_;
-  LUM_TRY(const int count, luminist::set_locked(next, pattern, locked));
+  int count = 0;
+  for (const std::string& pattern : patterns) {
+    LUM_TRY(const int named, luminist::set_locked(next, pattern, locked));
+    count += named;
+  }
   const char* verb = locked ? "lock" : "unlock";
-  LUM_TRY_VOID(commit_state(fmt::format("{} {}", locked ? "Lock" : "Unlock", pattern),
-                            Json{{"do", verb}, {"pattern", pattern}}.dump(), std::move(next)));
+  const std::string label = fmt::format("{} {}", locked ? "Lock" : "Unlock", fmt::join(patterns, ", "));
+  LUM_TRY_VOID(commit_state(label, Json{{"do", verb}, {"pattern", patterns}}.dump(), std::move(next)));
   locks_chosen_ = true;
   return count;
 }
@@ -72,7 +77,9 @@ Result<std::string> Session::add_light(const NewLight& wanted) {
   const std::string name = next.rig.unused_name(wanted.name);
   LUM_TRY(Light light, make_light(stage_->types, wanted.type, name, stage_->frame));
   light.group = wanted.group;
-  if (wanted.from_paint) {
+  if (wanted.dark) {
+    if (const auto color = light.params.schema().by_role("color")) light.params.set_vec3(*color, Vec3(0.0F));
+  } else if (wanted.from_paint) {
     LUM_TRY(const StartLight start, start_light());
     apply_start_light(start, light);
   }
@@ -82,6 +89,7 @@ Result<std::string> Session::add_light(const NewLight& wanted) {
                        {"name", wanted.name},
                        {"group", wanted.group},
                        {"from_paint", wanted.from_paint},
+                       {"dark", wanted.dark},
                        {"lock_others", wanted.lock_others}};
   LUM_TRY_VOID(commit_state("Add light " + name, action.dump(), std::move(next)));
   return name;
@@ -190,6 +198,20 @@ Result<void> Session::restyle(const std::string& name) {
   shot_ = std::move(shot);
   state_ = std::move(next);
   return {};
+}
+
+Result<void> Session::reload_style() {
+  LUM_TRY(ParamState next, luminist::reload_style(*stage_, roots_, state_));
+  drop_proposal();
+  solved_.reset();
+  canvas_.reset();
+  state_ = std::move(next);
+  Document document = project_.document();
+  document.erase_below("style/");
+  document.erase_below("locks/style/");
+  write_state(state_, document);
+  return commit("New version of the style " + shot_.style, Json{{"do", "style"}, {"name", shot_.style}}.dump(),
+                document);
 }
 
 }  // namespace luminist

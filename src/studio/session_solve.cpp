@@ -24,7 +24,11 @@ Result<void> Session::start_solve(const SolveOptions& options) {
     return Error{ErrorKind::kNothingToDo, "nothing is painted", "", "", "paint the light that you want to see"};
   }
   LUM_TRY(const Canvas* canvas, this->canvas());
-  return start_solve(state_, canvas->target(), options, Solved{}.label);
+  ParamState start = state_;
+  if (const std::vector<std::string> waiting = waiting_lights(start.rig); !waiting.empty()) {
+    LUM_TRY_VOID(place_lights(waiting, stage_->renderer->surface(), canvas->target(), stage_->frame, start.rig));
+  }
+  return start_solve(std::move(start), canvas->target(), options, Solved{}.label);
 }
 
 Result<void> Session::start_solve(ParamState lights, Target target, const SolveOptions& options,
@@ -109,6 +113,12 @@ Result<void> Session::accept() {
   canvas_ = std::move(rebased);
   picture_ = std::move(picture);
   return {};
+}
+
+Result<void> Session::adopt() {
+  if (!has_proposal()) return no_proposal();
+  ParamState next = shown();
+  return commit_state("Take the lights of a solve", Json{{"do", "adopt"}}.dump(), std::move(next));
 }
 
 Result<void> Session::revert() {

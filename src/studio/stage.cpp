@@ -52,6 +52,7 @@ Result<std::unique_ptr<Stage>> open_stage(Device& device, const AssetRoots& root
   pose(scene, shot.seconds());
   LUM_TRY(const Camera camera, choose_camera(scene, shot.camera));
   stage->frame = scene.frame();
+  stage->camera = camera;
   stage->bounds = scene.bounds();
   for (const Camera& each : scene.cameras) stage->camera_names.push_back(each.name);
   LUM_TRY(stage->renderer,
@@ -81,6 +82,15 @@ Result<ParamState> starting_state(const Stage& stage, const AssetRoots& roots, c
   keep_constraints(state.rig);
   follow_with_keys(state.rig, shot.frame);
   return state;
+}
+
+Result<ShadowPair> render_shadow_pair(Renderer& renderer, const ParamState& lights) {
+  ParamState free_lights_off = lights;
+  for (Light& light : free_lights_off.rig.lights) light.muted = light.muted || may_change(lights.rig, light);
+  ShadowPair pair;
+  LUM_TRY(pair.free_lights_off, renderer.render(free_lights_off));
+  LUM_TRY(pair.shadows_off, renderer.render(lights, RenderOptions{.shadows = false}));
+  return pair;
 }
 
 void warn_of_ranges(const ParamState& state, const std::vector<std::string>& assignments, const SceneFrame& frame,

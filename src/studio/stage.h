@@ -7,6 +7,7 @@
 
 #include "base/diagnostics.h"
 #include "gpu/device.h"
+#include "paint/canvas.h"
 #include "raster/raster_renderer.h"
 #include "rig/light_rig.h"
 #include "rig/light_type.h"
@@ -21,6 +22,7 @@ struct Stage {
   LightTypes types;
   Style style;
   SceneFrame frame;
+  Camera camera;
   Box bounds;  ///< of the scene without backdrops
   std::vector<std::string> camera_names;
   std::vector<PunctualLight> scene_lights;
@@ -44,6 +46,10 @@ Result<std::unique_ptr<Stage>> open_stage(Device& device, const AssetRoots& root
 /// errors those of load_rig(), check_links() and set_path().
 Result<ParamState> starting_state(const Stage& stage, const AssetRoots& roots, const Shot& shot,
                                   const std::filesystem::path& folder);
+
+/// What the shadow brush and eraser copy from: without the lights that may change, and without shadows.
+/// errors the renderer's. cost two pictures.
+Result<ShadowPair> render_shadow_pair(Renderer& renderer, const ParamState& lights);
 
 /// Warns of values that assignments put outside of their ranges.
 void warn_of_ranges(const ParamState& state, const std::vector<std::string>& assignments, const SceneFrame& frame,

@@ -7,6 +7,7 @@
 
 #include "bench/coherence.h"
 #include "bench/figure6.h"
+#include "bench/latency.h"
 #include "bench/prep.h"
 #include "bench/recover.h"
 #include "bench/removal.h"
@@ -41,6 +42,24 @@ void add_filters(CLI::App& bench, SuiteOptions& options) {
       ->delimiter(',');
   bench.add_option("--seeds", options.seeds, "at most so many a method");
   bench.add_option("--size", options.size, "all methods at this size, as 256x256");
+}
+
+void add_latency(CLI::App& app, Run& run) {
+  CLI::App* bench = app.add_subcommand("latency", "strokes are painted in real time: how soon their picture is there");
+  auto options = std::make_shared<LatencyOptions>();
+  auto size = std::make_shared<std::string>("1280x720");
+  bench->add_flag("--json", options->json, "one JSON object");
+  bench->add_option("--scene", options->scene, "a scene file")->capture_default_str();
+  bench->add_option("--strokes", options->strokes, "a stroke file")->capture_default_str();
+  bench->add_option("--size", *size, "of the picture")->capture_default_str();
+  bench->callback([options, size, &run] {
+    run = [options, size](Device&) -> Result<void> {
+      LUM_TRY(const PictureSize wanted, parse_size(*size));
+      options->width = wanted.width;
+      options->height = wanted.height;
+      return run_latency(*options);
+    };
+  });
 }
 
 void add_recover(CLI::App& app, Run& run) {
@@ -147,6 +166,7 @@ int main(int argc, char** argv) {
   luminist::add_scaling(app, run);
   luminist::add_recover(app, run);
   luminist::add_coherence(app, run);
+  luminist::add_latency(app, run);
   luminist::PrepOptions prep;
   const auto wants_prep = luminist::add_prep(app, prep);
   CLI11_PARSE(app, argc, argv);

@@ -66,6 +66,45 @@ TEST_F(SessionTest, UndoBringsBackPictureAndPaint) {
   EXPECT_EQ(picture().data, solved.data);
 }
 
+TEST_F(SessionTest, ADarkLightBeginsWhereThePaintSays) {
+  NewLight wanted;
+  wanted.dark = true;
+  LUM_EXPECT_OK(session_->add_light(wanted));
+  EXPECT_EQ(waiting_lights(session_->state().rig), std::vector<std::string>{"light"});
+  LUM_EXPECT_OK(session_->paint(light_strokes(), "strokes.json"));
+  LUM_EXPECT_OK(session_->solve(few_evals(), {}));
+  EXPECT_LT(session_->solved()->report.epsilon, session_->solved()->report.epsilon_start);
+  EXPECT_TRUE(waiting_lights(session_->shown().rig).empty());
+}
+
+TEST_F(SessionTest, AdoptedLightsLeaveThePaintForAnotherSolve) {
+  LUM_EXPECT_OK(session_->paint(light_strokes(), "strokes.json"));
+  LUM_EXPECT_OK(session_->add_light({}));
+  LUM_EXPECT_OK(session_->solve(few_evals(), {}));
+  const Image shown = picture();
+  LUM_ASSERT_OK(const Target* target, session_->target());
+  const Image painted = target->color;
+  LUM_EXPECT_OK(session_->adopt());
+  EXPECT_FALSE(session_->has_proposal());
+  EXPECT_TRUE(session_->painted());
+  EXPECT_EQ(picture().data, shown.data);
+  LUM_ASSERT_OK(target, session_->target());
+  EXPECT_EQ(target->color.data, painted.data);
+  EXPECT_EQ(error_of(session_->adopt()).kind, ErrorKind::kNothingToDo);
+}
+
+TEST_F(SessionTest, SeveralPatternsAreLockedAsOneCommandOrNotAtAll) {
+  LUM_EXPECT_OK(session_->add_light({.from_paint = false}));
+  const std::size_t steps = session_->project().undo_steps();
+  const std::string before = hash();
+  EXPECT_EQ(error_of(session_->set_locked({"lights/light/color", "lights/nobody/color"}, true)).kind,
+            ErrorKind::kUsage);
+  EXPECT_EQ(hash(), before);
+  LUM_ASSERT_OK(const int named, session_->set_locked({"lights/light/color", "lights/light/position"}, true));
+  EXPECT_EQ(named, 6);
+  EXPECT_EQ(session_->project().undo_steps(), steps + 1);
+}
+
 TEST_F(SessionTest, ARevertedSolveLeavesEverythingAsItWas) {
   LUM_EXPECT_OK(session_->paint(light_strokes(), "strokes.json"));
   LUM_EXPECT_OK(session_->add_light({}));

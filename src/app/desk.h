@@ -1,0 +1,74 @@
+#pragma once
+// app/desk.h -- what the parts of the window share: the session as it was last seen, and how the lighter looks at it.
+#include <deque>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "app/brush_box.h"
+#include "app/canvas_view.h"
+#include "app/channels.h"
+#include "app/key_map.h"
+#include "app/theme.h"
+#include "studio/studio_thread.h"
+
+namespace luminist {
+
+/// A message with the moment when it came, in seconds of the window's clock.
+struct ToldMessage {
+  StudioMessage message;
+  double time = 0.0;
+};
+
+/// Which question is put over the window.
+enum class Question { kNone, kOpen, kSaveAs, kExport, kImage, kKeys, kQuit, kRecover };
+
+struct Desk {
+  StudioThread* studio = nullptr;
+  AssetRoots roots{std::vector<std::filesystem::path>{}};
+  Theme theme;
+  std::shared_ptr<const StudioSnapshot> now;  ///< never null
+  StudioThread::Activity activity;
+  double time = 0.0;  ///< seconds of the window's clock
+
+  BrushBox box;
+  CanvasView view;
+  DisplayOptions display;
+  Channel channel = Channel::kLight;
+  bool wipe = false;  ///< paint on the left of a line, light on the right
+  float wipe_at = 0.5F;
+  bool wipe_kept = false;             ///< the kept picture on the left
+  std::shared_ptr<const Image> kept;  ///< a picture to compare with; null: none
+  bool orbit = false;                 ///< the shot from anywhere, in place of the canvas
+  bool pick_clip = false;             ///< the next click names the object that strokes stay on
+  bool space_down = false;
+  bool hand_down = false;  ///< a stroke is under way
+
+  std::string selected;  ///< light; "" for none, "ambient", "style"
+  std::set<std::string> solo;
+  int key_map = 0;
+  bool show_panels = true;
+  Question question = Question::kNone;
+  bool question_asked = false;  ///< its popup is open
+  bool quit = false;
+  std::deque<ToldMessage> messages;  ///< the last ones
+
+  [[nodiscard]] bool has_shot() const { return now->facts && now->picture && now->painted && now->shown; }
+  [[nodiscard]] const KeyMap& keys() const { return key_maps()[static_cast<std::size_t>(key_map)]; }
+  /// "Undo (Ctrl+Z)"
+  [[nodiscard]] std::string with_key(const std::string& text, Deed deed) const;
+  void ask(Question wanted) { question = wanted, question_asked = false; }
+  void tell(StudioMessage::Kind kind, std::string text);
+};
+
+/// Does what a key, a menu or a button asks for. digit is that of Deed::kOpacity.
+void perform(Desk& desk, Deed deed, int digit = 0);
+
+/// A new light that waits for paint; what a solve proposes is accepted first. only_first: unless there is a light.
+void add_light(Desk& desk, bool only_first = false);
+void save(Desk& desk);
+
+}  // namespace luminist

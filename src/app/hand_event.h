@@ -1,0 +1,17 @@
+#pragma once
+// app/hand_event.h -- what a hand did, as the window system told it: every point, not one a frame.
+#include "base/math.h"
+
+namespace luminist {
+
+struct HandEvent {
+  enum class Kind { kMove, kPress, kRelease, kScroll };
+  Kind kind = Kind::kMove;
+  Vec2 at{0.0F};        ///< pixels of the window
+  int button = 0;       ///< GLFW's
+  int mods = 0;         ///< GLFW's
+  float scroll = 0.0F;  ///< notches, away from the hand
+  float pressure = 1.0F;
+};
+
+}  // namespace luminist

@@ -1,0 +1,28 @@
+#pragma once
+// app/layout.h -- where everything is: tools and brush on the left, lights on the right, the picture between.
+#include <span>
+
+#include "app/canvas_panel.h"
+#include "app/orbit_panel.h"
+#include "app/panels.h"
+#include "app/tour.h"
+
+namespace luminist {
+
+class Layout {
+ public:
+  void draw(Desk& desk, CanvasPanel& canvas, std::span<const HandEvent> events);
+
+ private:
+  void left_side(Desk& desk, const ScreenRect& rect);
+  void right_side(Desk& desk, const ScreenRect& rect);
+
+  float left_ = 232.0F;  ///< widths of the panels, in points
+  float right_ = 336.0F;
+  ParamWidgets widgets_;
+  ExplorePanel explore_;
+  OrbitPanel orbit_;
+  Tour tour_;
+};
+
+}  // namespace luminist

@@ -1,0 +1,47 @@
+#pragma once
+// app/light_handles.h -- the selected light, taken by the hand: where it shines, where it stands, how far away.
+#include <memory>
+#include <optional>
+
+#include "app/desk.h"
+#include "app/light_pose.h"
+
+namespace luminist {
+
+/// On the picture: a ring at what the light shines at, to be dragged over the surfaces; a disc where the light is, if
+/// it is in sight. In the corner: a ball around the aim, seen by the camera, on which a dot says where the light comes
+/// from; the dot is dragged around, also for a light outside of the picture, and the wheel over the ball moves the
+/// light nearer and farther. Shift: a fifth of the way. Shown at once, one command when the hand lets go.
+class LightHandles {
+ public:
+  /// returns whether the hand took a handle.
+  bool press(Desk& desk, const Vec2& screen);
+  void move(Desk& desk, const Vec2& screen, bool precise);
+  void release(Desk& desk);
+  /// returns whether the wheel was over the ball.
+  bool scroll(Desk& desk, const Vec2& screen, float notches);
+  void draw(Desk& desk);
+  [[nodiscard]] bool held() const { return part_ != Part::kNone; }
+  [[nodiscard]] bool over(const Desk& desk, const Vec2& screen) const { return part_at(desk, screen) != Part::kNone; }
+
+ private:
+  enum class Part { kNone, kAim, kPlace, kBall };
+  void look(const Desk& desk);
+  [[nodiscard]] Part part_at(const Desk& desk, const Vec2& screen) const;
+  [[nodiscard]] Vec2 ball_center(const Desk& desk) const;
+  [[nodiscard]] float ball_radius(const Desk& desk) const { return desk.theme.px(40.0F); }
+  [[nodiscard]] std::optional<Vec2> on_screen(const Desk& desk, const Vec3& point) const;
+  void draw_ball(const Desk& desk) const;
+  void record(Desk& desk);
+
+  Part part_ = Part::kNone;
+  Vec2 last_{0.0F};                         ///< of the pointer
+  Vec2 wanted_{0.0F};                       ///< where the handle would be without rounding
+  std::shared_ptr<const ParamState> seen_;  ///< what pose_ was read from
+  std::string light_;
+  std::uint64_t let_go_ = 0;  ///< version of the snapshot when the hand let go
+  std::optional<LightPose> pose_;
+  std::optional<Vec3> aim_;
+};
+
+}  // namespace luminist

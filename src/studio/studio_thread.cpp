@@ -1,0 +1,278 @@
+#include "studio/studio_thread.h"
+
+#include <exception>
+#include <utility>
+
+namespace luminist {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr int kTriesToReopen = 3;
+constexpr std::chrono::milliseconds kBetweenSnapshots{40};  // of what goes on by itself
+
+StudioMessage message_of(const Error& error) {
+  StudioMessage message;
+  message.kind = error.kind == ErrorKind::kNothingToDo || error.kind == ErrorKind::kCancelled
+                     ? StudioMessage::Kind::kNote
+                     : StudioMessage::Kind::kError;
+  message.text = error.field.empty() ? error.what : error.what + " (" + error.field + ")";
+  message.where = error.where;
+  message.hint = error.hint;
+  return message;
+}
+
+}  // namespace
+
+StudioThread::StudioThread(Options options)
+    : options_(std::move(options)), latest_(std::make_shared<const StudioSnapshot>()) {
+  thread_ = std::thread([this] { run(); });
+}
+
+StudioThread::~StudioThread() {
+  {
+    const std::lock_guard lock(mutex_);
+    ending_ = true;
+  }
+  cancelled_ = true;
+  wake_.notify_one();
+  thread_.join();
+}
+
+void StudioThread::push(Entry entry) {
+  {
+    const std::lock_guard lock(mutex_);
+    if (!queue_.empty() && queue_.back().kind == entry.kind) {
+      Entry& last = queue_.back();
+      if (entry.kind == Entry::Kind::kPreview) {
+        last.assignments = std::move(entry.assignments);
+        return;
+      }
+      if (entry.kind == Entry::Kind::kExtend) {
+        last.points.insert(last.points.end(), entry.points.begin(), entry.points.end());
+        return;
+      }
+    }
+    queue_.push_back(std::move(entry));
+  }
+  wake_.notify_one();
+}
+
+void StudioThread::post(std::string label, Job job) {
+  push({Entry::Kind::kJob, std::move(label), std::move(job), {}, {}});
+}
+
+void StudioThread::act(std::string label, Workbench::Task task, Workbench::After after) {
+  post(std::move(label), [task = std::move(task), after](Workbench& bench) -> Result<void> {
+    return bench.has_session() ? bench.act(task, after) : Result<void>();
+  });
+}
+
+void StudioThread::change(std::string label, Workbench::Task task, Workbench::After after) {
+  post(std::move(label), [task = std::move(task), after](Workbench& bench) -> Result<void> {
+    return bench.has_session() ? bench.change(task, after) : Result<void>();
+  });
+}
+
+void StudioThread::begin_stroke(Stroke stroke, fs::path folder) {
+  post("paint", [stroke = std::move(stroke), folder = std::move(folder)](Workbench& bench) -> Result<void> {
+    if (!bench.has_session()) return {};
+    return stroke.brush.bucket ? bench.lay(stroke, folder) : bench.begin_stroke(stroke, folder);
+  });
+}
+
+void StudioThread::extend_stroke(std::vector<StrokePoint> points) {
+  push({Entry::Kind::kExtend, "paint", {}, std::move(points), {}});
+}
+
+void StudioThread::end_stroke() {
+  post("paint", [](Workbench& bench) { return bench.end_stroke(); });
+}
+
+void StudioThread::preview(std::vector<std::string> assignments) {
+  push({Entry::Kind::kPreview, "preview", {}, {}, std::move(assignments)});
+}
+
+void StudioThread::cancel() {
+  cancelled_ = true;
+  post("stop", [this](Workbench& bench) -> Result<void> {
+    cancelled_ = false;
+    if (bench.has_session()) bench.stop();
+    return {};
+  });
+}
+
+bool StudioThread::progress(std::string label) {
+  {
+    const std::lock_guard lock(mutex_);
+    doing_ = std::move(label);
+  }
+  if (options_.on_change) options_.on_change();
+  return !cancelled_;
+}
+
+std::shared_ptr<const StudioSnapshot> StudioThread::latest() const {
+  const std::lock_guard lock(mutex_);
+  return latest_;
+}
+
+StudioThread::Activity StudioThread::activity() const {
+  const std::lock_guard lock(mutex_);
+  const double seconds = doing_.empty() ? 0.0 : std::chrono::duration<double>(Clock::now() - since_).count();
+  return {doing_, seconds, queue_.size()};
+}
+
+std::vector<StudioMessage> StudioThread::take_messages() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(messages_, {});
+}
+
+void StudioThread::tell(StudioMessage message) {
+  {
+    const std::lock_guard lock(mutex_);
+    messages_.push_back(std::move(message));
+  }
+  if (options_.on_change) options_.on_change();
+}
+
+bool StudioThread::open_device() {
+  auto device = Device::create_headless();
+  if (!device) {
+    tell(message_of(device.error()));
+    return false;
+  }
+  device_ = std::make_unique<Device>(std::move(*device));
+  bench_ = std::make_unique<Workbench>(*device_, options_.roots, options_.unsaved);
+  return true;
+}
+
+/// The session again, from its log, on another device.
+void StudioThread::reopen(const std::string& why) {
+  const fs::path folder = bench_->folder();
+  bench_.reset();
+  device_.reset();
+  if (!open_device()) return;
+  if (folder.empty()) return;
+  if (++reopened_ > kTriesToReopen) {
+    tell({StudioMessage::Kind::kError, "this happened again and again: " + why, "",
+          "what was done is in " + folder.string() + "; save elsewhere and open it again"});
+    return;
+  }
+  auto opened = bench_->open_project(folder);
+  if (opened) {
+    tell({StudioMessage::Kind::kWarning, why + "; the session was opened again from its log", "", ""});
+  } else {
+    tell(message_of(opened.error()));
+  }
+}
+
+/// Waits for the next job, or takes none if there is more to do without one. returns whether there is a job.
+bool StudioThread::take(Entry& entry, bool more) {
+  std::unique_lock lock(mutex_);
+  if (!more) wake_.wait_for(lock, std::chrono::milliseconds(500), [this] { return ending_ || !queue_.empty(); });
+  if (ending_ || queue_.empty()) return false;
+  entry = std::move(queue_.front());
+  queue_.pop_front();
+  doing_ = entry.label;
+  since_ = Clock::now();
+  return true;
+}
+
+void StudioThread::attend(const Result<void>& result) {
+  if (!bench_) return;
+  for (std::string& line : bench_->take_warnings()) tell({StudioMessage::Kind::kWarning, std::move(line), "", ""});
+  if (result) {
+    reopened_ = 0;
+    return;
+  }
+  tell(message_of(result.error()));
+  if (result.error().kind == ErrorKind::kGl) reopen("the graphics context was lost");
+}
+
+void StudioThread::work(Entry entry) {
+  if (options_.on_change && entry.kind == Entry::Kind::kJob) options_.on_change();
+  Result<void> result;
+  switch (entry.kind) {
+    case Entry::Kind::kJob:
+      result = entry.job(*bench_);
+      break;
+    case Entry::Kind::kExtend:
+      result = bench_->extend_stroke(entry.points);
+      break;
+    case Entry::Kind::kPreview:
+      if (bench_->has_session()) result = bench_->preview(entry.assignments);
+      break;
+  }
+  attend(result);
+}
+
+void StudioThread::publish() {
+  if (!bench_) return;
+  auto snapshot = bench_->snapshot();
+  published_ = Clock::now();
+  if (!snapshot) {
+    attend(std::move(snapshot).error());
+    return;
+  }
+  {
+    const std::lock_guard lock(mutex_);
+    latest_ = std::move(*snapshot);
+    doing_.clear();
+  }
+  if (options_.on_change) options_.on_change();
+}
+
+/// returns whether there is more to do without a job.
+bool StudioThread::step() {
+  auto more = bench_->step(options_.slice);
+  if (!more) {
+    bench_->stop();
+    attend(std::move(more).error());
+  }
+  const bool going = more && *more;
+  if (!going || Clock::now() - published_ > kBetweenSnapshots) publish();
+  return going;
+}
+
+/// What waits until there is nothing else to do.
+void StudioThread::idle() {
+  if (!bench_->has_session()) return;
+  attend(bench_->sync_if_due());
+  attend(bench_->prepare());
+  const auto refreshed = bench_->refresh_style();
+  if (!refreshed) attend(refreshed.error());
+  if (refreshed && *refreshed) {
+    tell({StudioMessage::Kind::kNote, "the style was read again", "", ""});
+    publish();
+  }
+}
+
+void StudioThread::run() {
+  if (!open_device()) return;
+  bool more = false;
+  while (bench_) {  // gone if no device can be made any more, which was told
+    try {
+      Entry entry;
+      if (take(entry, more)) {
+        work(std::move(entry));
+        publish();
+        more = true;
+        continue;
+      }
+      {
+        const std::lock_guard lock(mutex_);
+        if (ending_) break;
+      }
+      more = more && step();
+      if (!more) idle();
+    } catch (const std::exception& exception) {
+      more = false;
+      reopen(std::string("something went wrong: ") + exception.what());
+      publish();
+    }
+  }
+  bench_.reset();
+  device_.reset();
+}
+
+}  // namespace luminist

@@ -1,0 +1,116 @@
+#pragma once
+// studio/studio_thread.h -- a workbench on a thread of its own, so that a window never waits for a picture.
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <deque>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "studio/workbench.h"
+
+namespace luminist {
+
+/// Something that the lighter should read.
+struct StudioMessage {
+  enum class Kind { kNote, kWarning, kError };
+  Kind kind = Kind::kNote;
+  std::string text;   ///< one sentence without a full stop
+  std::string where;  ///< file:line:column, or empty
+  std::string hint;   ///< what to do about it, or empty
+};
+
+/// Takes jobs in order, answers with snapshots. What a hand does meanwhile is gathered: points of one stroke become
+/// one event, previews that were overtaken are left out. What goes on by itself (lights that follow, a solve) runs in
+/// slices between the jobs.
+///
+/// A lost context, or an exception, ends the device; another one is made and the session is opened again from its log.
+/// thread: all calls may come from the window's; tasks run on the other one.
+class StudioThread {
+ public:
+  using Job = std::function<Result<void>(Workbench&)>;
+  struct Options {
+    AssetRoots roots;
+    std::filesystem::path unsaved;    ///< below it are kept sessions without a name
+    std::function<void()> on_change;  ///< called on the other thread: there is something new to look at
+    std::chrono::milliseconds slice{30};
+  };
+  explicit StudioThread(Options options);
+  /// Lets the job that runs come to its end; those that wait are dropped.
+  ~StudioThread();
+  StudioThread(const StudioThread&) = delete;
+  StudioThread& operator=(const StudioThread&) = delete;
+
+  /// label says what is done, for a line that tells what keeps the lighter waiting.
+  void post(std::string label, Job job);
+  void act(std::string label, Workbench::Task task, Workbench::After after = Workbench::After::kStay);
+  void change(std::string label, Workbench::Task task, Workbench::After after = Workbench::After::kStay);
+  void begin_stroke(Stroke stroke, std::filesystem::path folder);
+  void extend_stroke(std::vector<StrokePoint> points);
+  void end_stroke();
+  void preview(std::vector<std::string> assignments);
+  /// Ends what runs: a solve keeps its best; a task that asks cancelled() comes to its end.
+  void cancel();
+  [[nodiscard]] bool cancelled() const { return cancelled_; }
+  /// What the job that runs is at, in place of its label. returns whether to go on.
+  bool progress(std::string label);
+
+  /// Never null.
+  [[nodiscard]] std::shared_ptr<const StudioSnapshot> latest() const;
+  struct Activity {
+    std::string label;     ///< of the job that runs; empty: none
+    double seconds = 0.0;  ///< so long already
+    std::size_t waiting = 0;
+  };
+  [[nodiscard]] Activity activity() const;
+  [[nodiscard]] std::vector<StudioMessage> take_messages();
+  void tell(StudioMessage message);
+  /// Where the log of the present session is; "" while there is none.
+  [[nodiscard]] std::filesystem::path folder() const { return latest()->history.folder; }
+
+ private:
+  struct Entry {
+    enum class Kind { kJob, kExtend, kPreview };
+    Kind kind = Kind::kJob;
+    std::string label;
+    Job job;
+    std::vector<StrokePoint> points;
+    std::vector<std::string> assignments;
+  };
+  using Clock = std::chrono::steady_clock;
+
+  void push(Entry entry);
+  void run();
+  bool open_device();
+  void reopen(const std::string& why);
+  bool take(Entry& entry, bool more);
+  void work(Entry entry);
+  void attend(const Result<void>& result);
+  bool step();
+  void idle();
+  void publish();
+
+  Options options_;
+  mutable std::mutex mutex_;
+  std::condition_variable wake_;
+  std::deque<Entry> queue_;
+  std::string doing_;
+  Clock::time_point since_;
+  std::vector<StudioMessage> messages_;
+  std::shared_ptr<const StudioSnapshot> latest_;
+  bool ending_ = false;
+  std::atomic<bool> cancelled_ = false;
+
+  // Of the other thread.
+  std::unique_ptr<Device> device_;
+  std::unique_ptr<Workbench> bench_;
+  int reopened_ = 0;  ///< times in a row without a job that went well
+  Clock::time_point published_;
+  std::thread thread_;
+};
+
+}  // namespace luminist

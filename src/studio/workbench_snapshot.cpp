@@ -1,0 +1,169 @@
+// The part of a workbench that says what there is to show.
+#include <algorithm>
+#include <utility>
+
+#include "studio/workbench.h"
+
+namespace luminist {
+namespace {
+
+constexpr std::size_t kLabels = 60;  // commands that a list shows
+
+}  // namespace
+
+void Workbench::forget_pictures() {
+  picture_.reset();
+  painted_.reset();
+}
+
+/// Labels of commands that were replaced by others are read again.
+void Workbench::note_history() {
+  const std::size_t undo = session_->project().undo_steps();
+  if (session_->project().redo_steps() == 0 && undo != undo_seen_) {
+    labels_.erase(labels_.lower_bound(std::min(undo, undo_seen_)), labels_.end());
+  }
+  undo_seen_ = undo;
+}
+
+void Workbench::tell_history(StudioSnapshot& next) {
+  const Project& project = session_->project();
+  HistoryFacts& history = next.history;
+  history.undo_steps = project.undo_steps();
+  history.redo_steps = project.redo_steps();
+  const std::size_t end = history.undo_steps + std::min<std::size_t>(history.redo_steps, kLabels / 2);
+  history.first = end > kLabels ? end - kLabels : 0;
+  for (std::size_t i = history.first; i < end; ++i) {
+    const auto known = labels_.find(i);
+    if (known != labels_.end()) {
+      history.labels.push_back(known->second);
+      continue;
+    }
+    const auto command = project.command(i);
+    history.labels.push_back(labels_[i] = command ? command->label : "?");
+  }
+  history.folder = project.folder();
+  history.unsaved = history.folder.empty() || history.folder.parent_path() == unsaved_;
+  history.writable = project.writable();
+}
+
+ShotFacts Workbench::facts() const {
+  const Stage& stage = session_->stage();
+  ShotFacts facts{session_->shot(), stage.camera,       stage.frame, stage.renderer->surface(),
+                  stage.style.doc,  stage.style.metric, {},          stage.types.names()};
+  for (const std::string& name : style_names(roots_)) {
+    if (const auto style = load_style(roots_, name); style && style->shades()) facts.styles.push_back(name);
+  }
+  return facts;
+}
+
+const ParamState& Workbench::shown_lights() const {
+  if (trial_) return *trial_;
+  if (quick_painting_ && quick_painting_->has_lights()) return quick_painting_->best();
+  return live_painting_ && live_painting_->has_lights() ? live_painting_->best() : session_->shown();
+}
+
+void Workbench::set_solo(std::vector<std::string> lights) {
+  solo_ = std::move(lights);
+  picture_.reset();
+}
+
+/// errors the renderer's.
+Result<void> Workbench::refresh_pictures(StudioSnapshot& next) {
+  const bool lights = live_painting_ && live_painting_->has_lights();
+  if (!picture_) {
+    if (trial_ || !solo_.empty()) {
+      ParamState shown = shown_lights();
+      for (Light& light : shown.rig.lights) {
+        const bool heard = solo_.empty() || std::find(solo_.begin(), solo_.end(), light.name) != solo_.end();
+        light.muted = light.muted || !heard;
+      }
+      LUM_TRY(Image picture, session_->stage().renderer->render(shown));
+      picture_ = std::make_shared<const Image>(std::move(picture));
+    } else if (quick_painting_ && quick_painting_->has_lights()) {
+      picture_ = std::make_shared<const Image>(quick_painting_->picture());
+    } else if (lights) {
+      picture_ = std::make_shared<const Image>(live_painting_->picture());
+    } else {
+      LUM_TRY(const Image* picture, session_->picture());
+      picture_ = std::make_shared<const Image>(*picture);
+    }
+  }
+  if (!painted_) {
+    const Target* target = live_painting_ ? &live_painting_->target() : canvas_ ? &canvas_->target() : nullptr;
+    if (target == nullptr) {
+      LUM_TRY(target, session_->target());
+    }
+    painted_ =
+        std::make_shared<const PaintedPictures>(PaintedPictures{target->color, target->importance, target->stroke});
+    if (live_painting_ && !stroke_) start_epsilon_ = live_painting_->error_of(live_painting_->target().before);
+  }
+  next.picture = picture_;
+  next.painted = painted_;
+  return {};
+}
+
+void Workbench::tell_solve(StudioSnapshot& next) {
+  const bool lights = live_painting_ && live_painting_->has_lights();
+  const bool quick = quick_painting_ && quick_painting_->has_lights();
+  next.proposal = session_->has_proposal() || lights || quick;
+  next.solving = solving_ || follow_again_ || (live_painting_ && resting_);
+  if (quick) {
+    next.report = SolveReport{};
+    next.report->solver = "live";
+    next.report->epsilon = live_epsilon_;
+  } else if (lights && !proposal_put_) {
+    SolveReport report;
+    report.solver = "live";
+    report.epsilon_start = start_epsilon_;
+    report.epsilon = live_epsilon_;
+    report.termination = live_painting_->termination();
+    report.evals = live_painting_->pictures();
+    next.report = std::move(report);
+  } else if (const Solved* solved = session_->solved()) {
+    next.report = solved->report;
+    next.verdict = solved->verdict;
+  }
+}
+
+Result<std::shared_ptr<const StudioSnapshot>> Workbench::snapshot() {
+  auto next = std::make_shared<StudioSnapshot>();
+  next->version = ++version_;
+  next->live = live_;
+  next->strokes_taken = strokes_taken_;
+  next->points_taken = stroke_ ? stroke_->stroke.points.size() : 0;
+  next->solo = solo_;
+  next->offers = offers_;
+  if (!session_) return std::shared_ptr<const StudioSnapshot>(next);
+  if (facts_of_ != &session_->stage()) {
+    facts_ = std::make_shared<const ShotFacts>(facts());
+    facts_of_ = &session_->stage();
+    quick_stage_.reset();  // it was a smaller one of the stage before
+  }
+  next->facts = facts_;
+  LUM_TRY_VOID(refresh_pictures(*next));
+  const ParamState& shown = shown_lights();
+  next->shown = std::make_shared<const ParamState>(shown);
+  next->waiting = waiting_lights(shown.rig);
+  const std::vector<const ParamBlock*> blocks = shown.blocks();
+  next->free_dofs = UnitMap::create(blocks, session_->stage().frame).dofs();
+  const StrokeFile importance = file_of({});
+  next->nu = importance.nu;
+  next->delta = importance.delta;
+  next->any_paint = session_->painted() || stroke_.has_value();
+  next->unanswered = unanswered_;
+  tell_solve(*next);
+  tell_history(*next);
+  return std::shared_ptr<const StudioSnapshot>(next);
+}
+
+std::vector<std::string> Workbench::take_warnings() {
+  std::vector<std::string> lines;
+  const auto& all = diagnostics_.warnings();
+  for (; warnings_told_ < all.size(); ++warnings_told_) {
+    const Diagnostics::Warning& warning = all[warnings_told_];
+    lines.push_back(warning.where.empty() ? warning.what : warning.where + ": " + warning.what);
+  }
+  return lines;
+}
+
+}  // namespace luminist
