@@ -20,7 +20,7 @@ Error out_of_memory() {
 }
 
 /// The triangles of one object in world space. Indices are checked by whoever made the mesh.
-bool attach_object(RTCDevice device, RTCScene scene, const Mesh& mesh, const Mat4& world_from_object) {
+bool attach_object(RTCDevice device, RTCScene scene, unsigned id, const Mesh& mesh, const Mat4& world_from_object) {
   RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
   auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
                                                                3 * sizeof(float), mesh.positions.size()));
@@ -34,7 +34,7 @@ bool attach_object(RTCDevice device, RTCScene scene, const Mesh& mesh, const Mat
     }
     std::memcpy(indices, mesh.triangles.data(), mesh.triangles.size() * sizeof(mesh.triangles[0]));
     rtcCommitGeometry(geometry);
-    rtcAttachGeometry(scene, geometry);
+    rtcAttachGeometryByID(scene, geometry, id);
   }
   rtcReleaseGeometry(geometry);
   return complete;
@@ -56,10 +56,11 @@ class RaySceneImpl {
     if (scene_ == nullptr) return false;
     // Robust: rays do not slip through the edges that triangles share.
     rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
-    for (const Object& object : scene.objects) {
+    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
+      const Object& object = scene.objects[i];
       const Mesh& mesh = scene.meshes[static_cast<std::size_t>(object.mesh)];
       if (mesh.triangles.empty()) continue;
-      if (!attach_object(device_, scene_, mesh, object.world_from_object)) return false;
+      if (!attach_object(device_, scene_, static_cast<unsigned>(i), mesh, object.world_from_object)) return false;
     }
     rtcCommitScene(scene_);
     return rtcGetDeviceError(device_) == RTC_ERROR_NONE;
@@ -86,6 +87,21 @@ class RaySceneImpl {
     for (std::size_t i = 0; i < segments.size(); ++i) blocked[i] = valid[i] != 0 && rays.tfar[i] < 0.0F ? 1 : 0;
   }
 
+  [[nodiscard]] RayHit closest(const Ray& ray) const {
+    if (!is_finite(ray.origin) || !is_finite(ray.direction)) return {};
+    RTCRayHit query{};
+    query.ray.org_x = ray.origin.x, query.ray.org_y = ray.origin.y, query.ray.org_z = ray.origin.z;
+    query.ray.dir_x = ray.direction.x, query.ray.dir_y = ray.direction.y, query.ray.dir_z = ray.direction.z;
+    query.ray.tfar = std::numeric_limits<float>::infinity();
+    query.ray.mask = 0xFFFFFFFFU;
+    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcIntersect1(scene_, &context, &query);
+    if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
+    return {query.ray.tfar, query.hit.geomID, query.hit.primID, query.hit.u, query.hit.v};
+  }
+
  private:
   RTCDevice device_;
   RTCScene scene_;
@@ -100,6 +116,10 @@ Result<RayScene> RayScene::create(const Scene& scene) {
   auto impl = std::make_unique<RaySceneImpl>();
   if (!impl->build(scene)) return out_of_memory();
   return RayScene(std::move(impl));
+}
+
+RayHit RayScene::closest(const Ray& ray) const {
+  return impl_->closest(ray);
 }
 
 void RayScene::occluded(std::span<const Segment> segments, std::span<unsigned char> blocked) const {

@@ -6,11 +6,13 @@
 #include "base/diagnostics.h"
 #include "gpu/device.h"
 #include "raster/raster_renderer.h"
+#include "render/renderer.h"
 #include "rig/light_rig.h"
 #include "rig/light_type.h"
 #include "solve/sample_cells.h"
 #include "studio/shot.h"
 #include "style/style.h"
+#include "trace/path_renderer.h"
 
 namespace luminist {
 
@@ -22,13 +24,15 @@ struct Stage {
   Box bounds;  ///< of the scene without backdrops
   std::vector<std::string> camera_names;
   std::vector<PunctualLight> scene_lights;
-  std::unique_ptr<RasterRenderer> renderer;
+  std::unique_ptr<Renderer> renderer;
+  RasterRenderer* raster = nullptr;       ///< the renderer, where the style is drawn by the raster engine
+  PathRenderer* paths = nullptr;          ///< the renderer, where it is path traced
   std::shared_ptr<const EdgeMask> edges;  ///< of the renderer's surface, for every solve on it
 };
 
-/// device outlives the stage. Paths of the shot are looked for below folder, then below the roots.
-/// errors kUsage for an unknown camera (nearest name) or a bad size; those of the scene, the style and the engine.
-/// cost reading the scene and compiling the style: seconds.
+/// device outlives the stage. Paths of the shot are looked for below folder, then below the roots. The style chooses
+/// the engine. errors kUsage for an unknown camera (nearest name) or a bad size; those of the scene, the style and the
+/// engine. cost reading the scene and compiling the style: seconds.
 Result<std::unique_ptr<Stage>> open_stage(Device& device, const AssetRoots& roots, const Shot& shot,
                                           const std::filesystem::path& folder, Diagnostics& diagnostics);
 
