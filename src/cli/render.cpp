@@ -11,6 +11,7 @@
 #include "studio/constraint_words.h"
 #include "studio/stage.h"
 #include "studio/style_reload.h"
+#include "trace/path_renderer.h"
 
 namespace luminist {
 namespace {

@@ -4,7 +4,9 @@
 
 #include <fmt/format.h>
 
+#include "raster/raster_renderer.h"
 #include "render/param_state.h"
+#include "trace/path_renderer.h"
 
 namespace luminist {
 namespace {

@@ -5,16 +5,17 @@
 
 #include "base/diagnostics.h"
 #include "gpu/device.h"
-#include "raster/raster_renderer.h"
 #include "render/renderer.h"
 #include "rig/light_rig.h"
 #include "rig/light_type.h"
 #include "solve/sample_cells.h"
 #include "studio/shot.h"
 #include "style/style.h"
-#include "trace/path_renderer.h"
 
 namespace luminist {
+
+class PathRenderer;
+class RasterRenderer;
 
 /// Made by open_stage(); stays where it is, because the engine points into it.
 struct Stage {

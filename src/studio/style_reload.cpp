@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "raster/raster_renderer.h"
+
 namespace luminist {
 namespace {
 

@@ -36,6 +36,7 @@ PathSettings settings_of(const ParamBlock& style) {
   settings.denoise = number("denoise", 0.0, 0.0, 1.0) != 0.0;
   settings.options.bounces = static_cast<int>(number("bounces", settings.options.bounces, 1, 64));
   settings.options.seed = static_cast<std::uint32_t>(number("seed", 1.0, 0.0, 1e9));
+  settings.options.caustics = number("caustics", 0.0, 0.0, 1.0) != 0.0;
   settings.options.specular = static_cast<float>(number("highlights", 1.0, 0.0, 100.0));
   return settings;
 }

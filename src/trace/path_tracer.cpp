@@ -17,6 +17,8 @@ constexpr int kSureBounces = 2;       // surfaces before chance may end a path
 constexpr float kMostLikely = 0.95F;  // that a path goes on
 constexpr float kLeastLikely = 0.05F;
 
+constexpr float kSpreadRoughness = 0.6F;  // of what is seen by way of rough surfaces, without caustics
+
 /// What a dimension of the sampler is for; a vertex has kPerVertex of them.
 enum Dimension : std::uint32_t { kPixel, kFirstVertex };
 enum VertexDimension : std::uint32_t { kLobe, kDirection, kRigLight, kEmitter, kEmitterPlace, kPerVertex };
@@ -38,8 +40,9 @@ struct PathTracer::Walk {
   const PathOptions& options;
   PathSampler sampler;
   LightPaths& paths;
-  int surfaces = 0;  ///< met so far
-  PathVertex here;   ///< the last vertex, its way on chosen
+  int surfaces = 0;     ///< met so far
+  bool spread = false;  ///< one of them was rough
+  PathVertex here;      ///< the last vertex, its way on chosen
   Vec3 emitted{0.0F};
   Vec3 escaped{0.0F};
 
@@ -71,7 +74,7 @@ Ray PathTracer::eye_ray(const Vec2& place) const {
 }
 
 void PathTracer::trace(std::uint32_t pixel, std::uint32_t sample, const PathOptions& options, LightPaths& paths) const {
-  Walk walk{options, PathSampler(options.seed, pixel, sample), paths, 0, {}, Vec3(0.0F), Vec3(0.0F)};
+  Walk walk{options, PathSampler(options.seed, pixel, sample), paths, 0, false, {}, Vec3(0.0F), Vec3(0.0F)};
   const auto columns = static_cast<std::uint32_t>(width_);
   const Vec2 corner(static_cast<float>(pixel % columns), static_cast<float>(pixel / columns));
   const Ray ray = eye_ray(corner + walk.sampler.pair(kPixel));
@@ -96,7 +99,8 @@ bool PathTracer::arrive(Walk& walk, const RayHit& hit) const {
     if (walk.surfaces > 0) walk.escaped += from.way_throughput;  // behind everything a picture is black
     return false;
   }
-  const SurfacePoint point = surfaces_->at(hit, from.way);
+  SurfacePoint point = surfaces_->at(hit, from.way);
+  if (walk.spread && !walk.options.caustics) point.roughness = std::max(point.roughness, kSpreadRoughness);
   if (largest(point.emissive) > 0.0F) {
     float weight = 1.0F;
     const float cosine = std::abs(glm::dot(point.face, from.way));
@@ -122,6 +126,7 @@ bool PathTracer::arrive(Walk& walk, const RayHit& hit) const {
   const bool passes = glm::dot(bounce.direction, point.face) <= 0.0F;
   next.way = bounce.direction;
   next.way_pdf = bounce.pdf;
+  walk.spread = walk.spread || bounce.pdf > 0.0F;
   next.way_throughput = next.throughput * bounce.weight;
   if (passes || !(largest(next.way_throughput) > 0.0F) || !survives(walk, next, lobe.y)) {
     next.way_length = PathVertex::kNoWay;

@@ -14,6 +14,10 @@ namespace luminist {
 struct PathOptions {
   int bounces = 6;        ///< surfaces at which light is reflected on its way; 1: direct light only
   float specular = 1.0F;  ///< factor of every highlight and mirror
+  /// Whether smooth surfaces throw light on others. If not, what is seen by way of a rough surface is itself taken as
+  /// rough: light that few paths find, each of them bright, is spread out (path regularization, Kaplanyan and
+  /// Dachsbacher 2013).
+  bool caustics = true;
   std::uint32_t seed = 1;
   bool operator==(const PathOptions&) const = default;
 };

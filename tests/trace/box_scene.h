@@ -82,6 +82,7 @@ class PathShot {
     LUM_TRY(shot.renderer, PathRenderer::create(std::move(scene), camera, style, width, height));
     shot.state = std::make_unique<ParamState>(initial_state(shot.types_, style, shot.renderer->frame()));
     shot.set("ambient/color=0,0,0");
+    shot.set("style/caustics=true");
     return shot;
   }
   void set(const std::string& assignment) const { LUM_EXPECT_OK(set_path(*state, assignment)); }
