@@ -23,8 +23,7 @@ struct Words {
 };
 
 /// The words of `render` again, with paths that hold on other machines of the same file system.
-Result<std::vector<std::string>> render_words(const Words& words, const AssetRoots& roots) {
-  const Shot& shot = words.shot.shot;
+Result<std::vector<std::string>> render_words(const Words& words, const Shot& shot, const AssetRoots& roots) {
   LUM_TRY(const std::string scene, find_input(shot.scene, ".", roots));
   std::vector<std::string> list{fs::absolute(scene).string()};
   const auto add = [&](const char* option, const std::string& value) {
@@ -52,7 +51,7 @@ Result<int> farm(const Words& words, VerbContext& context) {
   FarmJob job;
   LUM_TRY(job.range, FrameRange::parse(words.frames));
   LUM_TRY_VOID(check_image_output(words.output));
-  LUM_TRY(job.arguments, render_words(words, context.roots));
+  LUM_TRY(job.arguments, render_words(words, shot, context.roots));
   std::error_code error;
   job.program = words.program.empty() ? fs::read_symlink("/proc/self/exe", error).string() : words.program;
   job.chunk = words.chunk;

@@ -4,6 +4,8 @@
 #include <thread>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "cli/shot_words.h"
 #include "image_io/image_io.h"
 #include "rig/light_links.h"
@@ -11,6 +13,7 @@
 #include "studio/sequence.h"
 #include "studio/stage.h"
 #include "studio/style_reload.h"
+#include "trace/path_renderer.h"
 
 namespace luminist {
 namespace {
@@ -96,6 +99,12 @@ Result<int> render(const Words& words, VerbContext& context) {
   }
   context.console.warn(doubts);
   StyleFiles files((*stage)->style);
+  if (PathRenderer* paths = (*stage)->paths; paths != nullptr) {
+    paths->set_watch([&](const PathProgress& progress) {
+      context.console.progress(fmt::format("{} of {} samples", progress.samples, progress.of));
+      return true;
+    });
+  }
   LUM_TRY(const Image picture, (*stage)->renderer->render(state));
   LUM_TRY_VOID(write_image(words.output, picture));
   context.console.result(words.output);
@@ -118,6 +127,7 @@ Verb declare_render(CLI::App& app) {
   app.footer(
       "Examples:\n"
       "  luminist render meshes/still_life/still_life.glb -o dim.png\n"
+      "  luminist render meshes/room/room.glb --rig meshes/room/rig.toml --style path --samples 256 -o room.exr\n"
       "  luminist render model.obj --floor --wall --style toon --set style/threshold=0.4 --size 1280x720 -o model.exr\n"
       "  luminist render meshes/creature/creature.glb --rig keyed.toml --frames 0-47 -o out/f.####.exr --film f.mp4");
   return [words](VerbContext& context) { return render(*words, context); };

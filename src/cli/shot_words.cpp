@@ -49,6 +49,8 @@ void declare_shot(CLI::App& app, ShotWords& words) {
   app.add_option("--size", words.size, "Pixels as WxH (default: 640x480)");
   app.add_option("--rig", words.shot.rig, "Rig file with the lights (default: those in the scene)");
   app.add_option("--style", words.style, "Name of a folder in styles/ (default: cinematic)");
+  app.add_option("--samples", words.samples, "Paths a pixel of a path-traced style, as --set style/samples=N")
+      ->check(CLI::Range(1, 4096));
   app.add_option("--set", words.shot.set, "Sets a parameter, as lights/key/color=1,0.9,0.8; may be repeated")
       ->allow_extra_args(false)
       ->type_name("PATH=VALUE");
@@ -79,6 +81,7 @@ Result<Shot> shot_from(const ShotWords& words) {
                  fmt::format("choose one of {}", words.style)};
   }
   if (!words.style.empty()) shot.style = words.style;
+  if (words.samples) shot.set.insert(shot.set.begin(), fmt::format("style/samples={}", *words.samples));
   return shot;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
-// cli/shot_words.h -- SHOT = SCENE [--camera C] [--size WxH] [--rig R] [--style A] [--set path=value]...
-// [--link LIGHT=OBJECTS]... [--constrain WORDS]... [--floor] [--wall]
+// cli/shot_words.h -- SHOT = SCENE [--camera C] [--size WxH] [--rig R] [--style A] [--samples N] [--frame F] [--fps N]
+// [--set path=value]... [--link LIGHT=OBJECTS]... [--constrain WORDS]... [--floor] [--wall]
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@ struct ShotWords {
   Shot shot;
   std::string size;
   std::string style;
+  std::optional<int> samples;          ///< of a path-traced style
   std::vector<std::string> link;       ///< for link_lights(), once all lights are there
   std::vector<std::string> constrain;  ///< for parse_constraint(), once all lights are there
 };

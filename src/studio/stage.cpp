@@ -4,8 +4,10 @@
 
 #include <fmt/format.h>
 
+#include "raster/raster_renderer.h"
 #include "render/param_state.h"
 #include "rig/light_links.h"
+#include "trace/path_renderer.h"
 
 namespace luminist {
 namespace {
@@ -33,6 +35,22 @@ Result<void> check_size(int width, int height) {
                fmt::format("a side has at most {} pixels", kLargestSide)};
 }
 
+/// The engine that the style asks for. The scene is not needed afterwards.
+Result<void> make_renderer(Stage& stage, Device& device, const Scene& scene, const Camera& camera,
+                           const AssetRoots& roots, const Shot& shot) {
+  if (stage.style.engine == StyleEngine::kPath) {
+    LUM_TRY(auto paths, PathRenderer::create(scene, camera, stage.style, shot.width, shot.height));
+    stage.paths = paths.get();
+    stage.renderer = std::move(paths);
+    return {};
+  }
+  LUM_TRY(auto raster,
+          RasterRenderer::create(device, scene, camera, stage.types, stage.style, roots, shot.width, shot.height));
+  stage.raster = raster.get();
+  stage.renderer = std::move(raster);
+  return {};
+}
+
 }  // namespace
 
 Result<std::unique_ptr<Stage>> open_stage(Device& device, const AssetRoots& roots, const Shot& shot,
@@ -55,10 +73,9 @@ Result<std::unique_ptr<Stage>> open_stage(Device& device, const AssetRoots& root
   stage->camera = camera;
   stage->bounds = scene.bounds();
   for (const Camera& each : scene.cameras) stage->camera_names.push_back(each.name);
-  LUM_TRY(stage->renderer,
-          RasterRenderer::create(device, scene, camera, stage->types, stage->style, roots, shot.width, shot.height));
-  stage->edges = std::make_shared<const EdgeMask>(edge_pixels(stage->renderer->surface()));
   stage->scene_lights = scene.lights;
+  LUM_TRY_VOID(make_renderer(*stage, device, scene, camera, roots, shot));
+  stage->edges = std::make_shared<const EdgeMask>(edge_pixels(stage->renderer->surface()));
   if (!scene.animation.empty()) stage->moving = std::move(loaded);
   return stage;
 }

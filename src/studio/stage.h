@@ -8,7 +8,7 @@
 #include "base/diagnostics.h"
 #include "gpu/device.h"
 #include "paint/canvas.h"
-#include "raster/raster_renderer.h"
+#include "render/renderer.h"
 #include "rig/light_rig.h"
 #include "rig/light_type.h"
 #include "solve/sample_cells.h"
@@ -16,6 +16,9 @@
 #include "style/style.h"
 
 namespace luminist {
+
+class PathRenderer;
+class RasterRenderer;
 
 /// Made by open_stage(); stays where it is, because the engine points into it.
 struct Stage {
@@ -27,16 +30,18 @@ struct Stage {
   std::vector<std::string> camera_names;
   std::vector<PunctualLight> scene_lights;
   std::shared_ptr<Scene> moving;  ///< the scene itself, to be posed again; null where nothing moves
-  std::unique_ptr<RasterRenderer> renderer;
+  std::unique_ptr<Renderer> renderer;
+  RasterRenderer* raster = nullptr;       ///< the renderer, where the style is drawn by the raster engine
+  PathRenderer* paths = nullptr;          ///< the renderer, where it is path traced
   std::shared_ptr<const EdgeMask> edges;  ///< of the renderer's surface, for every solve on it
 
   [[nodiscard]] std::span<const std::string> object_names() const;  ///< of the scene; valid while the renderer is
 };
 
 /// The shot's scene at the shot's frame. device outlives the stage. Paths of the shot are looked for below folder, then
-/// below the roots. errors kUsage for an unknown camera (nearest name) or a bad size; those of the scene, the style and
-/// the engine. cost reading the scene and compiling the style: seconds. A scene that moves and was read before, by the
-/// stage of another frame of the shot, is taken instead of the file.
+/// below the roots. The style chooses the engine. errors kUsage for an unknown camera (nearest name) or a bad size;
+/// those of the scene, the style and the engine. cost reading the scene and compiling the style: seconds. A scene that
+/// moves and was read before, by the stage of another frame of the shot, is taken instead of the file.
 Result<std::unique_ptr<Stage>> open_stage(Device& device, const AssetRoots& roots, const Shot& shot,
                                           const std::filesystem::path& folder, Diagnostics& diagnostics,
                                           std::shared_ptr<Scene> moving = nullptr);

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "raster/raster_renderer.h"
+
 namespace luminist {
 namespace {
 
@@ -72,7 +74,11 @@ bool StyleFiles::changed() {
 
 Result<ParamState> reload_style(Stage& stage, const AssetRoots& roots, const ParamState& state) {
   LUM_TRY(Style style, load_style(roots, stage.style.name));
-  LUM_TRY_VOID(stage.renderer->change_style(style, roots));
+  if (stage.raster == nullptr || style.engine != StyleEngine::kRaster) {
+    return Error{ErrorKind::kUsage, "a path-traced style is not read again while it is looked at", style.folder,
+                 "engine", "open the shot again"};
+  }
+  LUM_TRY_VOID(stage.raster->change_style(style, roots));
   ParamState next{state.rig, ParamBlock(style.schema, stage.frame)};
   carry_over(state.style, next.style, stage.frame);
   stage.style = std::move(style);

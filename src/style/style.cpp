@@ -44,8 +44,18 @@ std::string read_beside(TomlReader& read, const fs::path& manifest, std::string_
   return "";
 }
 
+void read_engine(TomlReader& read, Style& style) {
+  const std::string word = read.string("engine", "raster");
+  if (word == "path") style.engine = StyleEngine::kPath;
+  if (word != "path" && word != "raster") {
+    read.fail("engine", fmt::format("unknown engine \"{}\"", word), "one of raster, path");
+  }
+}
+
 /// The style's GLSL: `shade`, or `ink` of a style that draws lines over others.
 void read_shaders(TomlReader& read, const fs::path& manifest, Style& style) {
+  read_engine(read, style);
+  if (style.engine == StyleEngine::kPath) return;  // `shade` and `ink` are unknown keys then
   style.ink_path = read_beside(read, manifest, "ink");
   if (!style.ink_path.empty()) return;
   style.glsl_path = read_beside(read, manifest, "shade");
@@ -242,6 +252,11 @@ Result<Style> load_style(const AssetRoots& roots, const std::string& name) {
   LUM_TRY(Style style, load_folder(roots, name.substr(0, plus)));
   if (plus == std::string::npos) return style;
   LUM_TRY(const Style lines, load_folder(roots, name.substr(plus + 1)));
+  if (style.engine == StyleEngine::kPath && !lines.shades()) {
+    return Error{ErrorKind::kUsage,
+                 fmt::format("\"{}\" is path traced, and lines are drawn by the raster engine", style.name), "",
+                 "style", "draw lines over a style that has GLSL, as toon+outline"};
+  }
   if (!style.shades() || lines.shades()) {
     return Error{ErrorKind::kUsage,
                  fmt::format("\"{}\" {}", style.shades() ? lines.name : style.name,

@@ -46,10 +46,14 @@ struct GoldenCase {
   std::string reason;    ///< why these two numbers; required
 };
 
+/// Who draws a style: the raster engine by its GLSL, or the path tracer.
+enum class StyleEngine { kRaster, kPath };
+
 struct Style {
   std::string name;
   std::string folder;
   std::string doc;
+  StyleEngine engine = StyleEngine::kRaster;
   std::string glsl_path;   ///< defines `vec3 shade(Surface s)`; empty for a style that only draws lines
   std::string ink_folder;  ///< of the manifest of ink_path
   std::string ink_path;    ///< defines `vec4 ink(Surface s)`, the colour of lines; empty: there are none
@@ -63,12 +67,14 @@ struct Style {
 
   /// How lights combine under these values of the style's parameters.
   [[nodiscard]] LightCombination combination(const ParamBlock& params) const;
-  [[nodiscard]] bool shades() const { return !glsl_path.empty(); }  ///< else it needs another below it
+  /// Else it needs another below it.
+  [[nodiscard]] bool shades() const { return !glsl_path.empty() || engine == StyleEngine::kPath; }
 };
 
-/// Reads styles/<name>/style.toml: `doc`, `shade` (the GLSL file), `lights = "sum" | "joint"` or the name
-/// of a [[param]] of type choice, one of whose words is "sum" ("key", one term a light for the objects whose key it is,
-/// is a sum too; any other is joint), `strokes`, [metric] `blur`,
+/// Reads styles/<name>/style.toml: `doc`, `engine = "raster" | "path"` (raster if left out), `shade` (the GLSL file;
+/// none for the path tracer), `lights = "sum" | "joint"` or the name of a [[param]] of type choice, one of whose words
+/// is "sum" ("key", one term a light for the objects whose key it is, is a sum too; any other is joint), `strokes`,
+/// [metric] `blur`,
 /// [[param]], [[texture]], [[golden]]. A manifest with `ink` in place of `shade` draws lines over another style:
 /// "toon+outline" is both, with the parameters of both. errors kStyle at path:line:col with the nearest valid key;
 /// kMissing with the styles there are; kUsage for a stack that is none.

@@ -7,6 +7,7 @@
 
 #include "bench/coherence.h"
 #include "bench/figure6.h"
+#include "bench/gi.h"
 #include "bench/latency.h"
 #include "bench/prep.h"
 #include "bench/recover.h"
@@ -141,6 +142,28 @@ void add_coherence(CLI::App& app, Run& run) {
       [options, &run] { run = [options](Device& device) -> Result<void> { return run_coherence(device, *options); }; });
 }
 
+void add_gi(CLI::App& app, Run& run) {
+  CLI::App* bench =
+      app.add_subcommand("gi", "a ceiling light found from paint under global illumination (paper, Figure 10)");
+  auto options = std::make_shared<GiOptions>();
+  auto size = std::make_shared<std::string>(options->size.text());
+  bench->add_flag("--json", options->json, "one JSON object a line");
+  bench->add_option("--size", *size, "of the picture")->capture_default_str();
+  bench->add_option("--seeds", options->seeds, "starts of the light, and paths")->capture_default_str();
+  bench->add_option("--max-evals", options->max_evals, "pictures that a simplex compares at most")
+      ->capture_default_str();
+  bench->add_option("--samples", options->samples, "paths a pixel of the simplexes' pictures")->capture_default_str();
+  bench->add_option("--reference", options->reference, "paths a pixel of the picture that judges")
+      ->capture_default_str();
+  bench->add_option("--methods", options->methods, "only these of full, multiresolution, kept")->delimiter(',');
+  bench->callback([options, size, &run] {
+    run = [options, size](Device& device) -> Result<void> {
+      LUM_TRY(options->size, parse_size(*size));
+      return run_gi(device, *options);
+    };
+  });
+}
+
 /// Needs no device. returns whether it was asked for, once the words are parsed.
 std::function<bool()> add_prep(CLI::App& app, PrepOptions& options) {
   CLI::App* bench = app.add_subcommand("prep", "meshes are repaired and unwrapped: charts, distortion, time");
@@ -167,6 +190,7 @@ int main(int argc, char** argv) {
   luminist::add_recover(app, run);
   luminist::add_coherence(app, run);
   luminist::add_latency(app, run);
+  luminist::add_gi(app, run);
   luminist::PrepOptions prep;
   const auto wants_prep = luminist::add_prep(app, prep);
   CLI11_PARSE(app, argc, argv);

@@ -104,6 +104,24 @@ TEST(RayScene, TakesSegmentsThatAreNotFiniteOrHaveNoLengthAsFree) {
   EXPECT_EQ(blocked(rays, {0.0F, 0.0F, 1.0F}, {0.0F, 0.0F, 1.0F}), 0);
 }
 
+TEST(RayScene, TheClosestHitNamesObjectTriangleAndPlace) {
+  Scene scene = square_scene(1.0F, Mat4(1.0F));
+  Object behind = scene.objects.front();
+  behind.world_from_object[3] = Vec4(0.0F, 0.0F, -1.0F, 1.0F);
+  scene.objects.insert(scene.objects.begin(), behind);
+  LUM_ASSERT_OK(const RayScene rays, RayScene::create(scene));
+  const RayHit hit = rays.closest({{0.5F, -0.5F, 3.0F}, {0.0F, 0.0F, -2.0F}});
+  ASSERT_TRUE(hit.hit());
+  EXPECT_EQ(hit.object, 1U) << "the nearer one, by its place in the scene";
+  EXPECT_EQ(hit.triangle, 0U);
+  EXPECT_NEAR(hit.distance, 1.5F, 1e-6F) << "in lengths of the direction";
+  // p = (1 - u - v) p0 + u p1 + v p2 with p0 = (-1, -1), p1 = (1, -1), p2 = (1, 1).
+  EXPECT_NEAR(-1.0F + 2.0F * (hit.u + hit.v), 0.5F, 1e-6F);
+  EXPECT_NEAR(-1.0F + 2.0F * hit.v, -0.5F, 1e-6F);
+  EXPECT_FALSE(rays.closest({{3.0F, 0.0F, 3.0F}, {0.0F, 0.0F, -1.0F}}).hit());
+  EXPECT_FALSE(rays.closest({{0.0F, 0.0F, 3.0F}, {0.0F, 0.0F, std::nanf("")}}).hit());
+}
+
 TEST(RayScene, AnEmptySceneBlocksNothing) {
   LUM_ASSERT_OK(const RayScene rays, RayScene::create(Scene{}));
   EXPECT_EQ(blocked(rays, {0.0F, 0.0F, 1.0F}, {0.0F, 0.0F, -1.0F}), 0);

@@ -18,6 +18,7 @@ TEST(ShippedStyles, AreValid) {
     ASSERT_TRUE(style) << style.error().message();
     EXPECT_EQ(style->name, name);
     EXPECT_FALSE(style->doc.empty());
+    if (style->engine == StyleEngine::kPath) continue;
     EXPECT_TRUE(std::filesystem::is_regular_file(style->shades() ? style->glsl_path : style->ink_path));
   }
 }
@@ -52,6 +53,19 @@ class StyleFiles : public ::testing::Test {
   static constexpr const char* kGood = "doc = \"p\"\nshade = \"plain.glsl\"\n";
   TemporaryFolder folder_;
 };
+
+TEST_F(StyleFiles, ChooseTheEngineAndAPathTracedOneNeedsNoGlsl) {
+  add("light", "doc = \"d\"\nengine = \"path\"\n", "unused.glsl");
+  add("odd", "doc = \"d\"\nengine = \"oven\"\nshade = \"plain.glsl\"\n", "plain.glsl");
+  add("both", "doc = \"d\"\nengine = \"path\"\nshade = \"plain.glsl\"\n", "plain.glsl");
+  LUM_ASSERT_OK(const Style style, load("light"));
+  EXPECT_EQ(style.engine, StyleEngine::kPath);
+  EXPECT_TRUE(style.shades());
+  LUM_ASSERT_OK(const Style plain, load("plain"));
+  EXPECT_EQ(plain.engine, StyleEngine::kRaster);
+  EXPECT_NE(error_of(load("odd")).what.find("oven"), std::string::npos);
+  EXPECT_NE(error_of(load("both")).message().find("shade"), std::string::npos) << "it would not be read";
+}
 
 TEST_F(StyleFiles, PromiseNothingUnlessTheySaySo) {
   LUM_ASSERT_OK(const Style style, load("plain"));

@@ -1,0 +1,74 @@
+#pragma once
+// trace/kept_fields.h -- what lights add to sets of pixels, kept: a light that only changes its colour costs nothing.
+#include <cstdint>
+#include <list>
+#include <memory>
+#include <span>
+#include <string>
+#include <unordered_map>
+#include <vector>
+
+#include "trace/path_buffer.h"
+
+namespace luminist {
+
+/// Pixels, and how many paths each of them is asked for. Same id, same content.
+struct PixelSet {
+  std::uint64_t id = 0;
+  std::vector<std::uint32_t> pixels;
+  std::vector<std::uint32_t> paths;  ///< [pixels]; at most as many as are kept
+  bool picture = false;              ///< it may be large: fewer paths a pixel are kept if memory asks for that
+};
+
+/// One value per pixel of a set.
+using PixelField = std::vector<Vec3>;
+using SharedField = std::shared_ptr<const PixelField>;
+
+/// Paths and fields of one camera and one choice of path options. thread: one, which works in parallel.
+class KeptFields {
+ public:
+  /// memory_bytes: about what paths and fields may take together. The tracer must outlive it.
+  KeptFields(const PathTracer& tracer, std::size_t memory_bytes);
+
+  /// Other options than before: everything kept is dropped. paths: kept a pixel.
+  void use(const PathOptions& options, int paths);
+  /// Paths that are kept for each pixel of a picture of so many pixels: all, or what memory allows, at least one.
+  [[nodiscard]] int picture_paths() const;
+
+  /// What each light adds to the set's pixels, its colour being 1; made in one parallel pass where it is not kept.
+  std::vector<SharedField> of_lights(const PixelSet& set, std::span<const RigLight> lights);
+  struct Base {
+    PixelField emitted;
+    PixelField escaped;
+  };
+  std::shared_ptr<const Base> base(const PixelSet& set);
+
+  [[nodiscard]] double shades() const { return shades_; }    ///< lights at pixels, each with all its kept paths
+  [[nodiscard]] double queries() const { return queries_; }  ///< shadow rays
+
+ private:
+  struct Entry {
+    std::string key;
+    SharedField field;
+  };
+  [[nodiscard]] const PathBuffer& buffer_of(const PixelSet& set);
+  [[nodiscard]] std::vector<AskedPixel> asked_of(const PixelSet& set) const;
+  [[nodiscard]] bool shares_whole(const PixelSet& set) const;
+  void make(const PixelSet& set, std::span<const RigLight> lights, std::span<PixelField> fields);
+  void keep(std::string key, SharedField field);
+
+  const PathTracer* tracer_;
+  std::size_t memory_bytes_;
+  PathOptions options_;
+  int paths_ = 0;
+  std::unique_ptr<PathBuffer> whole_;  ///< of all pixels
+  std::unordered_map<std::uint64_t, std::unique_ptr<PathBuffer>> of_sets_;
+  std::unordered_map<std::uint64_t, std::shared_ptr<const Base>> bases_;
+  std::list<Entry> entries_;  ///< the latest first
+  std::unordered_map<std::string, std::list<Entry>::iterator> index_;
+  std::size_t held_values_ = 0;
+  double shades_ = 0.0;
+  double queries_ = 0.0;
+};
+
+}  // namespace luminist

@@ -1,0 +1,139 @@
+#include "trace/light_gathering.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "base/check.h"
+#include "trace/mesh_emitters.h"
+
+namespace luminist {
+namespace {
+
+constexpr std::size_t kBatch = 64;  // shadow rays that are asked together
+constexpr float kPiF = static_cast<float>(kPi);
+
+/// Light that arrives at a vertex and is reflected towards the eye, if nothing stands between.
+struct Arrival {
+  Vec3 radiance{0.0F};
+  Segment segment;  ///< from the light
+};
+
+/// A point of a disc of radius `softness` times the distance, that faces the vertex: a lamp of a size.
+Vec3 lamp_point(const RigLight& light, const PathVertex& vertex) {
+  if (!(light.shadow_softness > 0.0F)) return light.shadow_position;
+  const Vec3 way = vertex.position - light.shadow_position;
+  const float distance = glm::length(way);
+  if (!(distance > 0.0F)) return light.shadow_position;
+  Vec3 t;
+  Vec3 b;
+  tangent_frame(way / distance, t, b);
+  const float radius = light.shadow_softness * distance * std::sqrt(vertex.place.x);
+  const float angle = 2.0F * kPiF * vertex.place.y;
+  return light.shadow_position + radius * (std::cos(angle) * t + std::sin(angle) * b);
+}
+
+bool arrives_from_point(const RigLight& light, const PathVertex& vertex, Arrival& arrival) {
+  const Vec3 to_light = light.position - vertex.position;
+  const float distance = glm::length(to_light);
+  if (!(distance > 0.0F)) return false;
+  const Vec3 direction = to_light / distance;
+  if (!(glm::dot(direction, vertex.surface.normal) > 0.0F)) return false;
+  const float strength = point_strength(light, vertex.position);
+  if (!(strength > 0.0F)) return false;
+  // A white diffuser shows the light's colour, so pi times that arrives.
+  arrival.radiance = vertex.throughput * evaluate(vertex.surface, direction).value * (kPiF * strength);
+  arrival.segment = {lamp_point(light, vertex), vertex.position};
+  return true;
+}
+
+bool arrives_from_panel(const RigLight& light, const PathVertex& vertex, Arrival& arrival) {
+  const Vec3 point = light.panel_point(vertex.place);
+  const Vec3 to_light = point - vertex.position;
+  const float square = glm::dot(to_light, to_light);
+  if (!(square > 0.0F)) return false;
+  const Vec3 direction = to_light / std::sqrt(square);
+  const float cosine = -glm::dot(direction, light.axis);
+  if (!(cosine > 0.0F) || !(glm::dot(direction, vertex.surface.normal) > 0.0F)) return false;
+  const Scattered scattered = evaluate(vertex.surface, direction);
+  const float pdf = square / (cosine * light.panel_area());
+  const float weight = mis_weight(pdf, scattered.pdf) / pdf;
+  arrival.radiance = vertex.throughput * scattered.value * (weight * light.panel_radiance());
+  arrival.segment = {point, vertex.position};
+  return true;
+}
+
+/// What the way on from a vertex sees of a panel.
+Vec3 seen_panel(const RigLight& light, const PathVertex& vertex) {
+  if (vertex.way_length == PathVertex::kNoWay) return Vec3(0.0F);
+  const float distance = light.meet_panel(vertex.position, vertex.way);
+  if (!(distance < vertex.way_length)) return Vec3(0.0F);
+  float weight = 1.0F;
+  if (vertex.way_pdf > 0.0F) {
+    const float cosine = -glm::dot(vertex.way, light.axis);
+    weight = mis_weight(vertex.way_pdf, distance * distance / (cosine * light.panel_area()));
+  }
+  return vertex.way_throughput * (weight * light.panel_radiance());
+}
+
+/// Shadow rays of several vertices, asked together and added in order.
+class Batch {
+ public:
+  Batch(const RayScene& rays, const RigLight& light, std::span<Vec3> sums) : rays_(rays), light_(light), sums_(sums) {}
+
+  void add(std::size_t path, const Arrival& arrival) {
+    if (!light_.shadows) {
+      sums_[path] += arrival.radiance;
+      return;
+    }
+    segments_[filled_] = arrival.segment;
+    radiance_[filled_] = arrival.radiance;
+    path_[filled_] = path;
+    if (++filled_ == kBatch) flush();
+  }
+  void flush() {
+    rays_.occluded(std::span(segments_).first(filled_), std::span(blocked_).first(filled_));
+    for (std::size_t i = 0; i < filled_; ++i) {
+      const float lit = blocked_[i] != 0 ? 1.0F - light_.shadow_density : 1.0F;
+      sums_[path_[i]] += lit * radiance_[i];
+    }
+    asked_ += filled_;
+    filled_ = 0;
+  }
+  [[nodiscard]] std::size_t asked() const { return asked_; }
+
+ private:
+  const RayScene& rays_;
+  const RigLight& light_;
+  std::span<Vec3> sums_;
+  std::array<Segment, kBatch> segments_{};
+  std::array<unsigned char, kBatch> blocked_{};
+  std::array<Vec3, kBatch> radiance_{};
+  std::array<std::size_t, kBatch> path_{};
+  std::size_t filled_ = 0;
+  std::size_t asked_ = 0;
+};
+
+}  // namespace
+
+std::size_t gather_light(const RayScene& rays, const LightPaths& paths, std::size_t first, std::size_t count,
+                         const RigLight& light, std::span<Vec3> sums) {
+  LUM_CHECK(first + count <= paths.size() && sums.size() == count, "one sum per path");
+  const bool panel = light.kind == RigLight::Kind::kArea;
+  Batch batch(rays, light, sums);
+  for (std::size_t path = 0; path < count; ++path) {
+    for (std::uint32_t i = paths.first[first + path]; i < paths.first[first + path + 1]; ++i) {
+      const PathVertex& vertex = paths.vertices[i];
+      Arrival arrival;
+      if (vertex.scatters &&
+          (panel ? arrives_from_panel(light, vertex, arrival) : arrives_from_point(light, vertex, arrival))) {
+        batch.add(path, arrival);
+      }
+      if (panel) sums[path] += seen_panel(light, vertex);
+    }
+  }
+  batch.flush();
+  return batch.asked();
+}
+
+}  // namespace luminist

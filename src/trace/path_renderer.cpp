@@ -1,0 +1,300 @@
+#include "trace/path_renderer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "base/check.h"
+#include "render/metric.h"
+#include "trace/denoise.h"
+#include "trace/kept_fields.h"
+
+namespace luminist {
+namespace {
+
+/// The style's parameters that the path tracer reads, by role.
+struct PathSettings {
+  PathOptions options;
+  int samples = 64;
+  int kept = 16;
+  bool denoise = false;
+};
+
+PathSettings settings_of(const ParamBlock& style) {
+  const auto number = [&](const char* role, double fallback, double least, double most) {
+    const auto param = style.schema().by_role(role);
+    const double value = param ? style.get(*param) : fallback;
+    return std::isfinite(value) ? std::clamp(value, least, most) : fallback;
+  };
+  PathSettings settings;
+  settings.samples = static_cast<int>(number("samples", settings.samples, 1, 1 << 20));
+  settings.kept = static_cast<int>(number("kept", settings.kept, 1, 1024));
+  settings.denoise = number("denoise", 0.0, 0.0, 1.0) != 0.0;
+  settings.options.bounces = static_cast<int>(number("bounces", settings.options.bounces, 1, 64));
+  settings.options.seed = static_cast<std::uint32_t>(number("seed", 1.0, 0.0, 1e9));
+  settings.options.caustics = number("caustics", 0.0, 0.0, 1.0) != 0.0;
+  settings.options.specular = static_cast<float>(number("highlights", 1.0, 0.0, 100.0));
+  return settings;
+}
+
+Vec3 ambient_of(const ParamState& state) {
+  const auto color = state.rig.ambient.schema().by_role("color");
+  return color ? state.rig.ambient.vec3(*color) : Vec3(0.0F);
+}
+
+/// FNV-1a: equal lists get equal numbers, whoever made them.
+std::uint64_t list_hash(std::uint64_t hash, std::span<const std::uint32_t> list) {
+  for (const std::uint32_t value : list) hash = (hash ^ value) * 0x100000001B3ULL;
+  return hash;
+}
+
+}  // namespace
+
+int samples_for(double share, int most) {
+  if (!(share > 0.0)) return 0;
+  return std::clamp(static_cast<int>(std::ceil(most * std::sqrt(std::min(share, 1.0)))), 1, most);
+}
+
+class PathRenderer::Impl {
+ public:
+  Impl(PathTracer tracer, Style style, std::size_t memory_bytes)
+      : tracer_(std::move(tracer)),
+        style_(std::move(style)),
+        frame_(tracer_.surfaces().scene().frame()),
+        surface_(tracer_.surface_buffer()),
+        fields_(tracer_, memory_bytes) {}
+  Impl(const Impl&) = delete;
+  Impl& operator=(const Impl&) = delete;
+
+  Result<Image> render(const ParamState& state, bool shadows, const Image* importance);
+  Result<double> error(const ParamState& state, const Target& target);
+  Result<void> colors_at(const ParamState& state, std::span<const int> without, std::span<const std::uint32_t> pixels,
+                         std::span<Vec3> out);
+  Result<void> evaluate(std::span<const Candidate> candidates, const SampleSet& samples, const Softness& softness,
+                        std::span<Vec3> out);
+
+  void set_watch(PathWatch watch) { watch_ = std::move(watch); }
+  [[nodiscard]] const SurfaceBuffer& surface() const { return surface_; }
+  [[nodiscard]] const SceneFrame& frame() const { return frame_; }
+  [[nodiscard]] const Style& style() const { return style_; }
+  [[nodiscard]] const WorkCount& work() const { return work_; }
+
+ private:
+  /// The lights that shine in a candidate.
+  Result<std::vector<RigLight>> lights_of(const Candidate& candidate, const Softness& softness) const;
+  /// The state's colours of a set's pixels, without some lights.
+  Result<PixelField> colors_of(const ParamState& state, std::span<const int> without, const PixelSet& set);
+  [[nodiscard]] PixelSet counted_pixels(const Target& target) const;
+  [[nodiscard]] PixelSet all_paths_of(std::span<const std::uint32_t> pixels, std::uint64_t id, int paths) const;
+  void tally();
+
+  PathTracer tracer_;
+  Style style_;
+  SceneFrame frame_;
+  SurfaceBuffer surface_;
+  KeptFields fields_;
+  PathWatch watch_;
+  WorkCount work_;
+  double picture_queries_ = 0.0;
+  double picture_shades_ = 0.0;
+};
+
+Result<std::vector<RigLight>> PathRenderer::Impl::lights_of(const Candidate& candidate,
+                                                            const Softness& softness) const {
+  const LightRig& rig = candidate.state->rig;
+  std::vector<RigLight> lights;
+  for (int i = 0; i < static_cast<int>(rig.lights.size()); ++i) {
+    const bool wanted = candidate.light == Candidate::kAllLights || candidate.light == i;
+    if (!wanted || rig.lights[static_cast<std::size_t>(i)].muted) continue;
+    LUM_TRY(RigLight light, rig_light(rig, i, softness, frame_));
+    lights.push_back(light);
+  }
+  return lights;
+}
+
+void PathRenderer::Impl::tally() {
+  work_.shades = fields_.shades() + picture_shades_;
+  work_.shadow_queries = fields_.queries() + picture_queries_;
+}
+
+Result<Image> PathRenderer::Impl::render(const ParamState& state, bool shadows, const Image* importance) {
+  const PathSettings settings = settings_of(state.style);
+  LUM_TRY(std::vector<RigLight> lights, lights_of({&state, Candidate::kAllLights}, {}));
+  for (RigLight& light : lights) light.shadows = shadows;
+  std::vector<std::uint32_t> samples(surface_.pixels(), static_cast<std::uint32_t>(settings.samples));
+  if (importance != nullptr) {
+    LUM_CHECK(importance->pixels() == surface_.pixels(), "importance and picture are of one size");
+    const float most = *std::ranges::max_element(importance->data);
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      const double share = most > 0.0F ? static_cast<double>(importance->data[i] / most) : 0.0;
+      samples[i] = static_cast<std::uint32_t>(samples_for(share, settings.samples));
+    }
+  }
+  PathJob job{settings.options, lights, ambient_of(state), samples};
+  LUM_TRY(Image picture, trace_picture(tracer_, job, watch_, picture_queries_));
+  double drawn = 0.0;
+  for (const std::uint32_t count : samples) drawn += count;
+  picture_shades_ += drawn / settings.kept * static_cast<double>(lights.size());
+  work_.pictures += 1.0;
+  tally();
+  return settings.denoise ? denoised(picture, surface_) : picture;
+}
+
+PixelSet PathRenderer::Impl::all_paths_of(std::span<const std::uint32_t> pixels, std::uint64_t id, int paths) const {
+  PixelSet set;
+  set.id = id;
+  set.pixels.assign(pixels.begin(), pixels.end());
+  set.paths.assign(pixels.size(), static_cast<std::uint32_t>(paths));
+  return set;
+}
+
+PixelSet PathRenderer::Impl::counted_pixels(const Target& target) const {
+  LUM_CHECK(target.importance.pixels() == surface_.pixels(), "a target has the size of the picture");
+  const bool blurs = style_.metric.blur > 0.0F;  // then pixels count for their neighbours
+  const float most = *std::ranges::max_element(target.importance.data);
+  PixelSet set;
+  set.picture = true;
+  for (std::size_t i = 0; i < surface_.pixels(); ++i) {
+    const double share = most > 0.0F ? static_cast<double>(target.importance.data[i] / most) : 0.0;
+    const int paths = samples_for(blurs ? 1.0 : share, fields_.picture_paths());
+    if (paths == 0) continue;
+    set.pixels.push_back(static_cast<std::uint32_t>(i));
+    set.paths.push_back(static_cast<std::uint32_t>(paths));
+  }
+  set.id = list_hash(list_hash(0xCBF29CE484222325ULL, set.pixels), set.paths);
+  return set;
+}
+
+Result<PixelField> PathRenderer::Impl::colors_of(const ParamState& state, std::span<const int> without,
+                                                 const PixelSet& set) {
+  std::vector<RigLight> lights;
+  for (int i = 0; i < static_cast<int>(state.rig.lights.size()); ++i) {
+    if (std::ranges::find(without, i) != without.end()) continue;
+    LUM_TRY(const std::vector<RigLight> one, lights_of({&state, i}, {}));
+    lights.insert(lights.end(), one.begin(), one.end());
+  }
+  const auto base = fields_.base(set);
+  const std::vector<SharedField> fields = fields_.of_lights(set, lights);
+  const Vec3 ambient = ambient_of(state);
+  PixelField colors(set.pixels.size());
+  for (std::size_t i = 0; i < colors.size(); ++i) {
+    colors[i] = base->emitted[i] + ambient * base->escaped[i];
+    for (std::size_t light = 0; light < lights.size(); ++light) {
+      colors[i] += lights[light].color * (*fields[light])[i];
+    }
+  }
+  return colors;
+}
+
+Result<double> PathRenderer::Impl::error(const ParamState& state, const Target& target) {
+  const PathSettings settings = settings_of(state.style);
+  fields_.use(settings.options, settings.kept);
+  const PixelSet set = counted_pixels(target);
+  LUM_TRY(const PixelField colors, colors_of(state, {}, set));
+  Image picture(surface_.width, surface_.height, 3);
+  for (std::size_t i = 0; i < colors.size(); ++i) picture.set_rgb(set.pixels[i], colors[i]);
+  work_.pictures += 1.0;
+  tally();
+  return picture_error(picture, target, style_.metric);
+}
+
+Result<void> PathRenderer::Impl::colors_at(const ParamState& state, std::span<const int> without,
+                                           std::span<const std::uint32_t> pixels, std::span<Vec3> out) {
+  LUM_CHECK(pixels.size() == out.size(), "one colour per pixel");
+  const PathSettings settings = settings_of(state.style);
+  fields_.use(settings.options, settings.kept);
+  const std::uint64_t id = list_hash(0x9E3779B97F4A7C15ULL, pixels);
+  LUM_TRY(const PixelField colors, colors_of(state, without, all_paths_of(pixels, id, settings.kept)));
+  std::ranges::copy(colors, out.begin());
+  tally();
+  return {};
+}
+
+Result<void> PathRenderer::Impl::evaluate(std::span<const Candidate> candidates, const SampleSet& samples,
+                                          const Softness& softness, std::span<Vec3> out) {
+  const std::size_t count = samples.pixels.size();
+  LUM_CHECK(out.size() == candidates.size() * count, "one colour per candidate and sample");
+  // Candidates with other paths than their neighbours are rare: only a style's parameters change paths.
+  std::size_t begin = 0;
+  while (begin < candidates.size()) {
+    const PathSettings settings = settings_of(candidates[begin].state->style);
+    fields_.use(settings.options, settings.kept);
+    const PixelSet set = all_paths_of(samples.pixels, samples.id, settings.kept);
+    std::vector<RigLight> lights;
+    std::vector<std::size_t> first;  // [candidates of this run + 1], of each one's lights
+    std::size_t end = begin;
+    for (; end < candidates.size(); ++end) {
+      const PathSettings other = settings_of(candidates[end].state->style);
+      if (!(other.options == settings.options) || other.kept != settings.kept) break;
+      first.push_back(lights.size());
+      LUM_TRY(const std::vector<RigLight> own, lights_of(candidates[end], softness));
+      lights.insert(lights.end(), own.begin(), own.end());
+    }
+    first.push_back(lights.size());
+    const std::vector<SharedField> fields = fields_.of_lights(set, lights);
+    for (std::size_t k = begin; k < end; ++k) {
+      const std::span<Vec3> colors = out.subspan(k * count, count);
+      std::ranges::fill(colors, Vec3(0.0F));
+      if (candidates[k].light < 0) {
+        const auto base = fields_.base(set);
+        const Vec3 ambient = ambient_of(*candidates[k].state);
+        for (std::size_t i = 0; i < count; ++i) colors[i] = base->emitted[i] + ambient * base->escaped[i];
+      }
+      for (std::size_t light = first[k - begin]; light < first[k - begin + 1]; ++light) {
+        for (std::size_t i = 0; i < count; ++i) colors[i] += lights[light].color * (*fields[light])[i];
+      }
+    }
+    begin = end;
+  }
+  tally();
+  return {};
+}
+
+PathRenderer::PathRenderer(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
+PathRenderer::~PathRenderer() = default;
+
+Result<std::unique_ptr<PathRenderer>> PathRenderer::create(Scene scene, const Camera& camera, const Style& style,
+                                                           int width, int height, std::size_t memory_bytes) {
+  if (width <= 0 || height <= 0) {
+    return Error{ErrorKind::kUsage, fmt::format("a picture of {} x {} pixels is empty", width, height), "", "size", ""};
+  }
+  LUM_TRY(PathTracer tracer, PathTracer::create(std::move(scene), camera, width, height));
+  auto impl = std::make_unique<Impl>(std::move(tracer), style, memory_bytes);
+  return std::unique_ptr<PathRenderer>(new PathRenderer(std::move(impl)));
+}
+
+// clang-format off
+const SurfaceBuffer& PathRenderer::surface() const { return impl_->surface(); }
+SceneFrame PathRenderer::frame() const { return impl_->frame(); }
+const Style& PathRenderer::style() const { return impl_->style(); }
+const WorkCount& PathRenderer::work() const { return impl_->work(); }
+void PathRenderer::set_watch(PathWatch watch) { impl_->set_watch(std::move(watch)); }
+// clang-format on
+
+Result<Image> PathRenderer::render(const ParamState& state, const RenderOptions& options) {
+  return impl_->render(state, options.shadows, nullptr);
+}
+
+Result<Image> PathRenderer::render_where(const ParamState& state, const Image& importance) {
+  return impl_->render(state, true, &importance);
+}
+
+Result<double> PathRenderer::error(const ParamState& state, const Target& target) {
+  return impl_->error(state, target);
+}
+
+Result<void> PathRenderer::colors_at(const ParamState& state, std::span<const int> without,
+                                     std::span<const std::uint32_t> pixels, std::span<Vec3> out) {
+  return impl_->colors_at(state, without, pixels, out);
+}
+
+Result<void> PathRenderer::evaluate(std::span<const Candidate> candidates, const SampleSet& samples,
+                                    const Softness& softness, std::span<Vec3> out) {
+  return impl_->evaluate(candidates, samples, softness, out);
+}
+
+}  // namespace luminist
