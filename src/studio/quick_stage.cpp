@@ -57,7 +57,7 @@ Result<std::unique_ptr<QuickStage>> QuickStage::open(Device& device, const Asset
 
 Result<LivePainting> QuickStage::paint(const CanvasState& paint, const ParamState& in_force, const ParamState& start,
                                        std::vector<std::string> new_lights) const {
-  RasterRenderer& renderer = *stage_->renderer;
+  Renderer& renderer = *stage_->renderer;
   LUM_TRY(Image picture, renderer.render(in_force));
   Canvas canvas(renderer.surface(), std::move(picture),
                 [&renderer, in_force] { return render_shadow_pair(renderer, in_force); });

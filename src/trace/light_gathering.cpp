@@ -125,6 +125,7 @@ std::size_t gather_light(const RayScene& rays, const LightPaths& paths, std::siz
     for (std::uint32_t i = paths.first[first + path]; i < paths.first[first + path + 1]; ++i) {
       const PathVertex& vertex = paths.vertices[i];
       Arrival arrival;
+      if (!light.lights(vertex.object)) continue;
       if (vertex.scatters &&
           (panel ? arrives_from_panel(light, vertex, arrival) : arrives_from_point(light, vertex, arrival))) {
         batch.add(path, arrival);

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "rays/ray_scene.h"
 #include "trace/reflection.h"
 
 namespace luminist {
@@ -16,6 +17,7 @@ struct PathVertex {
   Vec3 position{0.0F};    ///< a hair off the surface
   Vec3 throughput{1.0F};  ///< what arrives here in the direction of the eye is multiplied by
   Reflection surface;
+  std::uint32_t object = RayHit::kNothing;  ///< index of the scene's; kNothing at the eye
   bool scatters = false;      ///< light from anywhere is reflected here; not so at the eye and on bare mirrors
   Vec2 place{0.0F};           ///< in [0,1)^2, which point of a light is asked
   Vec3 way{0.0F};             ///< unit, where the path goes on

@@ -84,6 +84,9 @@ class PathRenderer::Impl {
   [[nodiscard]] const WorkCount& work() const { return work_; }
 
  private:
+  [[nodiscard]] std::span<const std::string> object_names() const {
+    return std::span(surface_.object_names).subspan(1);
+  }
   /// The lights that shine in a candidate.
   Result<std::vector<RigLight>> lights_of(const Candidate& candidate, const Softness& softness) const;
   /// The state's colours of a set's pixels, without some lights.
@@ -110,7 +113,7 @@ Result<std::vector<RigLight>> PathRenderer::Impl::lights_of(const Candidate& can
   for (int i = 0; i < static_cast<int>(rig.lights.size()); ++i) {
     const bool wanted = candidate.light == Candidate::kAllLights || candidate.light == i;
     if (!wanted || rig.lights[static_cast<std::size_t>(i)].muted) continue;
-    LUM_TRY(RigLight light, rig_light(rig, i, softness, frame_));
+    LUM_TRY(RigLight light, rig_light(rig, i, softness, frame_, object_names()));
     lights.push_back(light);
   }
   return lights;

@@ -113,6 +113,7 @@ bool PathTracer::arrive(Walk& walk, const RayHit& hit) const {
   if (walk.surfaces == walk.options.bounces) return false;
 
   PathVertex next;
+  next.object = hit.object;
   next.position = point.position + surfaces_->clearance() * point.face;
   next.throughput = from.way_throughput;
   next.surface = Reflection::create(point, -from.way, walk.options.specular);

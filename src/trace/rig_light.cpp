@@ -9,6 +9,8 @@
 
 #include <fmt/format.h>
 
+#include "rig/light_links.h"
+
 namespace luminist {
 namespace {
 
@@ -94,7 +96,8 @@ std::optional<RigLight::Kind> kind_of(const std::string& type) {
 
 }  // namespace
 
-Result<RigLight> rig_light(const LightRig& rig, int index, const Softness& softness, const SceneFrame& frame) {
+Result<RigLight> rig_light(const LightRig& rig, int index, const Softness& softness, const SceneFrame& frame,
+                           std::span<const std::string> objects) {
   const Light& source = rig.lights[static_cast<std::size_t>(index)];
   const std::optional<RigLight::Kind> kind = kind_of(source.type);
   if (!kind) {
@@ -125,6 +128,9 @@ Result<RigLight> rig_light(const LightRig& rig, int index, const Softness& softn
     const float side = std::max(std::abs(values.number("size", 1.0F)), kLeastSide * frame.radius);
     light.half_side = 0.5F * side;
     light.position += kPanelLift * frame.radius * light.axis;
+  }
+  if (!source.objects.empty()) {
+    for (const std::string& object : objects) light.unlit.push_back(lights_object(source, object) ? 0 : 1);
   }
   return light;
 }
@@ -192,7 +198,8 @@ std::string picture_key(const RigLight& light) {
                                       light.shadow_position.y,
                                       light.shadow_position.z,
                                       light.half_side};
-  return {reinterpret_cast<const char*>(numbers.data()), sizeof(numbers)};
+  std::string key(reinterpret_cast<const char*>(numbers.data()), sizeof(numbers));
+  return key.append(light.unlit.begin(), light.unlit.end());
 }
 
 }  // namespace luminist

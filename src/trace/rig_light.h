@@ -1,7 +1,10 @@
 #pragma once
 // trace/rig_light.h -- the lights of a rig for the path tracer: the formulas of shaders/light/*.glsl and
 // shaders/lib/helpers.glsl in C++ (a test holds both together).
+#include <cstdint>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "base/math.h"
 #include "base/result.h"
@@ -32,6 +35,9 @@ struct RigLight {
   float shadow_softness = 0.0F;  ///< radius of the lamp over the distance to what it shines on
   Vec3 shadow_position{0.0F};    ///< from where shadows are cast: another light's place if the rig shares shadows
 
+  std::vector<char> unlit;  ///< [objects] 1: it is not linked to the light; empty: it lights everything
+  [[nodiscard]] bool lights(std::uint32_t object) const { return object >= unlit.size() || unlit[object] == 0; }
+
   float half_side = 0.0F;  ///< of a square panel; its emitting plane lies a hair before `position`
 
   /// A panel's radiance, and a point of its square. place in [0,1)^2.
@@ -43,8 +49,10 @@ struct RigLight {
 };
 
 /// frame: of the scene. softness widens shadows and barn edges for the solver's coarse levels.
-/// errors kStyle for a light type whose formula the path tracer does not have, naming it.
-Result<RigLight> rig_light(const LightRig& rig, int light, const Softness& softness, const SceneFrame& frame);
+/// objects: their names, for links. errors kStyle for a light type whose formula the path tracer does not have, naming
+/// it.
+Result<RigLight> rig_light(const LightRig& rig, int light, const Softness& softness, const SceneFrame& frame,
+                           std::span<const std::string> objects = {});
 
 /// Radiance of a white diffuser at a place that faces the light, without shadows, of a light of colour 1 that shines
 /// from a point (every kind but kArea).

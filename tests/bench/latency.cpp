@@ -65,9 +65,9 @@ struct Sent {
   Clock::time_point moment;
 };
 
-class Hand {
+class SteadyHand {
  public:
-  Hand(StudioThread& studio, Watcher& watcher) : studio_(&studio), watcher_(&watcher) {}
+  SteadyHand(StudioThread& studio, Watcher& watcher) : studio_(&studio), watcher_(&watcher) {}
 
   Result<void> draw(const Stroke& stroke) {
     const std::uint64_t taken = studio_->latest()->strokes_taken;
@@ -156,7 +156,7 @@ Result<void> run_latency(const LatencyOptions& options) {
     });
   });
   LUM_TRY_VOID(watcher.wait(studio, [](const StudioSnapshot& now) { return now.picture != nullptr; }));
-  Hand hand(studio, watcher);
+  SteadyHand hand(studio, watcher);
   // The first stroke compiles what shaders there are; it is painted twice and counted once.
   for (int round = 0; round < 2; ++round) {
     LUM_TRY_VOID(hand.draw(strokes.strokes.size() > 1 ? strokes.strokes[1] : strokes.strokes.front()));

@@ -279,5 +279,43 @@ TEST(Denoise, LeavesAnEvenPictureAsItIs) {
   for (std::size_t i = 0; i < even.data.size(); ++i) EXPECT_NEAR(same.data[i], even.data[i], 1e-5F);
 }
 
+TEST(PathLinks, ALightLightsOnlyWhatItIsLinkedTo) {
+  LUM_ASSERT_OK(const PathShot shot, small_room(16, 16));
+  shot.set("style/bounces=1");
+  const Image open = shot.picture();
+  shot.state->rig.lights[0].objects = {"rectangle-2"};  // the floor
+  const Image linked = shot.picture();
+  std::vector<Vec3> kept(linked.pixels());
+  LUM_EXPECT_OK(shot.renderer->colors_at(*shot.state, {}, all_pixels(*shot.renderer), kept));
+  const SurfaceBuffer& surface = shot.renderer->surface();
+  // A pixel shows nothing else where its neighbours show the same object.
+  const auto inside = [&](std::size_t i) {
+    const int x = static_cast<int>(i) % surface.width;
+    const int y = static_cast<int>(i) / surface.width;
+    for (int dy = -1; dy <= 1; ++dy) {
+      for (int dx = -1; dx <= 1; ++dx) {
+        const bool in_picture = x + dx >= 0 && y + dy >= 0 && x + dx < surface.width && y + dy < surface.height;
+        if (!in_picture || surface.object[surface.index(x + dx, y + dy)] != surface.object[i]) return false;
+      }
+    }
+    return true;
+  };
+  int floor = 0;
+  int others = 0;
+  for (std::size_t i = 0; i < linked.pixels(); ++i) {
+    if (!inside(i)) continue;
+    if (surface.object_names[surface.object[i]] == "rectangle-2") {
+      EXPECT_EQ(linked.rgb(i), open.rgb(i));
+      floor += linked.rgb(i) != Vec3(0.0F) ? 1 : 0;
+    } else {
+      EXPECT_EQ(linked.rgb(i), Vec3(0.0F));
+      EXPECT_EQ(kept[i], Vec3(0.0F));
+      others += open.rgb(i) != Vec3(0.0F) ? 1 : 0;
+    }
+  }
+  EXPECT_GT(floor, 0);
+  EXPECT_GT(others, 0);
+}
+
 }  // namespace
 }  // namespace luminist

@@ -1,0 +1,95 @@
+// A monkey at the table: gestures at random, most of them senseless. LUMINIST_MONKEY_ACTIONS says how many.
+#include <fmt/format.h>
+
+#include <cstdlib>
+#include <random>
+
+#include "studio/session_fixture.h"
+
+namespace luminist {
+namespace {
+
+constexpr int kActions = 2000;
+
+int actions() {
+  const char* asked = std::getenv("LUMINIST_MONKEY_ACTIONS");
+  return asked != nullptr ? std::atoi(asked) : kActions;
+}
+
+class MonkeyTest : public SessionTest {
+ protected:
+  /// Errors are fine, crashes and half-done gestures are not.
+  void act() {
+    const auto ignore = [](const auto& result) { (void)result; };
+    const std::string name = fmt::format("light{}", draw(3) == 0 ? "" : "-2");
+    switch (draw(20)) {
+      case 0:
+        return ignore(session_->add_light({.from_paint = draw(2) == 0}));
+      case 1:
+        return ignore(session_->remove_light(name));
+      case 2:
+        return ignore(session_->set_muted(name, draw(2) == 0));
+      case 3:
+        return ignore(session_->share_shadows(draw(2) == 0 ? name : ""));
+      case 4:
+        return ignore(session_->set({fmt::format("lights/{}/color={},0.5,0.5", name, draw(7))}));
+      case 5:
+        return ignore(session_->set_locked("lights/*/position", draw(2) == 0));
+      case 6:
+        return ignore(session_->set_importance(0.01F * static_cast<float>(draw(130)), 0.5F));
+      case 7:
+        return ignore(session_->clear_paint());
+      case 8:
+        return ignore(session_->undo());
+      case 9:
+        return ignore(session_->redo());
+      case 10:
+        return ignore(session_->accept());
+      case 11:
+        return ignore(session_->revert());
+      case 12:
+        return ignore(session_->solve(two_evals(), {}));
+      case 13:
+        return ignore(session_->go_to(static_cast<double>(draw(4))));
+      case 14:
+        return ignore(session_->set_keys(fmt::format("lights/{}/color", name), KeyInterpolation::kLinear));
+      case 15:
+        return ignore(session_->remove_keys("lights/*"));
+      case 16:
+        return ignore(session_->link_light(name, {draw(2) == 0 ? "ball" : "no such thing"}));
+      case 17:
+        return ignore(session_->set_target(Image(9, 7, 3, 0.5F), std::nullopt));
+      case 18:
+        return ignore(session_->constrain({fmt::format("lights/{} on ceiling", name)}));
+      default:
+        return ignore(session_->paint(light_strokes(), "strokes.json"));
+    }
+  }
+  [[nodiscard]] unsigned draw(unsigned below) { return static_cast<unsigned>(random_() % below); }
+  static SolveOptions two_evals() {
+    SolveOptions options;
+    options.max_evals = 2;
+    return options;
+  }
+
+  std::mt19937 random_{1};
+};
+
+TEST_F(MonkeyTest, AllItsGesturesAreUndoneAndDoneAgain) {
+  const std::string start = hash();
+  const int count = actions();
+  for (int i = 0; i < count; ++i) {
+    act();
+    if (i == count / 2) LUM_EXPECT_OK(session_->save_as(folder_.path() / "monkey.lum"));
+  }
+  const std::string end = hash();
+  const std::size_t steps = session_->project().undo_steps();
+  EXPECT_GT(steps, static_cast<std::size_t>(count / 40));
+  while (session_->project().undo_steps() > 0) LUM_EXPECT_OK(session_->undo());
+  EXPECT_EQ(hash(), start);
+  while (session_->project().undo_steps() < steps) LUM_EXPECT_OK(session_->redo());
+  EXPECT_EQ(hash(), end);
+}
+
+}  // namespace
+}  // namespace luminist
