@@ -13,11 +13,12 @@
 namespace luminist {
 namespace {
 
-constexpr int kSureBounces = 2;       // surfaces before chance may end a path
+constexpr int kSureBounces = 1;       // surfaces before chance may end a path
 constexpr float kMostLikely = 0.95F;  // that a path goes on
 constexpr float kLeastLikely = 0.05F;
 
-constexpr float kSpreadRoughness = 0.6F;  // of what is seen by way of rough surfaces, without caustics
+constexpr float kSpreadRoughness = 0.6F;  // of what is seen by way of rough surfaces, without caustics...
+constexpr float kDullReflectance = 0.1F;  // ...where what reflects less at normal incidence is matte
 
 /// What a dimension of the sampler is for; a vertex has kPerVertex of them.
 enum Dimension : std::uint32_t { kPixel, kFirstVertex };
@@ -116,7 +117,9 @@ bool PathTracer::arrive(Walk& walk, const RayHit& hit) const {
   next.object = hit.object;
   next.position = point.position + surfaces_->clearance() * point.face;
   next.throughput = from.way_throughput;
-  next.surface = Reflection::create(point, -from.way, walk.options.specular);
+  // Highlights that only rough surfaces see are spread to nothing, but those of metals are all that they reflect.
+  const bool dull = walk.spread && !walk.options.caustics && largest(point.specular) < kDullReflectance;
+  next.surface = Reflection::create(point, -from.way, dull ? 0.0F : walk.options.specular);
   next.scatters = next.surface.scatters();
   next.place = walk.pair(kRigLight);
   if (next.scatters && !emitters_->empty()) ask_emitters(walk, next);

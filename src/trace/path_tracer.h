@@ -15,8 +15,8 @@ struct PathOptions {
   int bounces = 6;        ///< surfaces at which light is reflected on its way; 1: direct light only
   float specular = 1.0F;  ///< factor of every highlight and mirror
   /// Whether smooth surfaces throw light on others. If not, what is seen by way of a rough surface is itself taken as
-  /// rough: light that few paths find, each of them bright, is spread out (path regularization, Kaplanyan and
-  /// Dachsbacher 2013).
+  /// rough, or matte if it is no metal: light that few paths find, each of them bright, is spread out (path
+  /// regularization, Kaplanyan and Dachsbacher 2013).
   bool caustics = true;
   std::uint32_t seed = 1;
   bool operator==(const PathOptions&) const = default;
@@ -28,7 +28,7 @@ class PathTracer {
   /// errors kLimit if memory runs out.
   static Result<PathTracer> create(Scene scene, const Camera& camera, int width, int height);
 
-  /// Appends path `sample` of a pixel (linear index). Same arguments, same bits. Light carried on from the third
+  /// Appends path `sample` of a pixel (linear index). Same arguments, same bits. Light carried on from the second
   /// surface on is a matter of chance (Russian roulette), which keeps its mean.
   /// source of the sum over the ways to find an emitter: Veach 1997.
   void trace(std::uint32_t pixel, std::uint32_t sample, const PathOptions& options, LightPaths& paths) const;

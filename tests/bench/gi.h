@@ -30,8 +30,9 @@ struct GiOptions {
 ///
 /// Each is timed from its first picture on (kept paths are traced within); the scene is loaded before. The state that
 /// comes out is judged by an independent picture: other seed, `reference` samples. A line a run, then medians and
-/// ratios; JSON: {bench: "gi", kind: "run", method, seed, size, evals, capped, seconds, first_seconds, epsilon_start,
-/// epsilon} and {kind: "result", method, seconds, first_seconds, epsilon, speedup}. errors the renderer's.
+/// ratios; JSON: {bench: "gi", kind: "run", method, seed, size, evals, capped, seconds, cpu_seconds, first_seconds,
+/// epsilon_start, epsilon} and {kind: "result", method, seconds, cpu_seconds, first_seconds, epsilon, speedup,
+/// cpu_speedup}. errors the renderer's.
 Result<void> run_gi(Device& device, const GiOptions& options);
 
 }  // namespace luminist

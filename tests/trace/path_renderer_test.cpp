@@ -220,6 +220,8 @@ TEST(PathRenderer, TellsItsProgressAndCanBeCancelled) {
   EXPECT_EQ(seen, (std::vector<int>{1, 2, 4, 8, 16, 20}));
   EXPECT_EQ(last.data, picture.data);
   shot.renderer->set_watch([](const PathProgress& progress) { return progress.samples < 4; });
+  EXPECT_EQ(shot.picture().data, picture.data) << "it is still known";
+  shot.set("style/seed=2");
   EXPECT_EQ(error_of(shot.renderer->render(*shot.state)).kind, ErrorKind::kCancelled);
 }
 
@@ -243,7 +245,7 @@ TEST(PathRenderer, KeepsFewerPathsOfAPictureWhereMemoryIsShortAndAllOfSamples) {
   LUM_ASSERT_OK(const double few, small->error(state, target));
   LUM_ASSERT_OK(const double all, large->error(state, target));
   EXPECT_NE(few, all);
-  EXPECT_NEAR(few, all, 0.02 * all) << "4096 pixels of one path each";
+  EXPECT_NEAR(few, all, 0.05 * all) << "4096 pixels of one path each";
   const Candidate candidate{&state};
   const SampleSet samples{3, {100, 2000, 4000}};
   std::vector<Vec3> a(3);
