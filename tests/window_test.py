@@ -21,6 +21,8 @@ PATIENCE = 240  # seconds: a machine without a GPU that does other work, too
 CANVAS = (278, 60, 944, 692)
 MARGIN = 12
 PICTURE = (640, 480)
+ROOT = pathlib.Path(__file__).resolve().parent.parent
+LARGEST_DIFFERENCE = 0.002  # of the pixels: hinting and antialiasing of another version of the font rasterizer
 
 
 class Fault(Exception):
@@ -114,6 +116,18 @@ class Studio:
         return file
 
 
+def compare(shot, name):
+    """Against a reference picture: glyphs and lines are the same everywhere, so few pixels may differ visibly."""
+    reference = ROOT / "tests" / "app" / "golden" / f"{name}.png"
+    if not reference.exists():
+        raise Fault(f"no reference {reference}; {shot} is the candidate")
+    words = ["compare", "-metric", "AE", "-fuzz", "4%", reference, shot, "null:"]
+    answer = subprocess.run(words, check=False, capture_output=True, text=True)
+    differing = float(answer.stderr.split()[0])
+    if not differing <= LARGEST_DIFFERENCE * 1280 * 720:
+        raise Fault(f"{shot} differs from {reference} in {differing:.0f} pixels")
+
+
 def records(project):
     """The whole records of a project's log."""
     lines = (project / "log.jsonl").read_text().splitlines()
@@ -150,7 +164,7 @@ def ready(studio):
 def paint_and_accept(studio):
     project = kept_session(studio)
     ready(studio)
-    studio.shot("open")
+    compare(studio.shot("open"), "open")
     strokes = [[(0.38, 0.33), (0.40, 0.50), (0.47, 0.40), (0.45, 0.22), (0.45, 0.60)], [(0.51, 0.70), (0.56, 0.74)],
                [(0.77, 0.73), (0.82, 0.77)]]
     for number, stroke in enumerate(strokes, 1):

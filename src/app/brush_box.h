@@ -42,6 +42,8 @@ class BrushBox {
   /// A key light's warm white, sky blues, embers... and what was added by hand.
   [[nodiscard]] std::vector<Vec3>& palette() { return palette_; }
 
+  /// How much the hand is steadied: 0 not at all, towards 1 the stroke trails behind the pointer.
+  [[nodiscard]] float& steadiness() { return steadiness_; }
   void scale_diameter(float factor);
   void set_opacity(float opacity) { brush().opacity = std::clamp(opacity, 0.0F, 1.0F); }
 
@@ -51,6 +53,7 @@ class BrushBox {
   std::array<Brush, kTools> brushes_;
   std::array<Vec3, 2> colors_{Vec3(1.0F), Vec3(0.0F)};
   std::vector<Vec3> palette_;
+  float steadiness_ = 0.0F;
 };
 
 }  // namespace luminist

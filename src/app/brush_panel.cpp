@@ -159,6 +159,15 @@ void settings(Desk& desk) {
   if (brush.tool != PaintTool::kErase) number(desk, "Gradient", brush.gradient, "gradient", kPercent);
   if (stops) number(desk, "Strength", brush.strength, "strength", {0.0F, 4.0F, "%.2f stops"});
   if (brush.tool == PaintTool::kImportance) number(desk, "Counts", brush.importance, "importance", {0.0F, 2.0F});
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted("Steady");
+  tip(desk.theme, "Steadies the hand: the stroke trails behind the pointer.");
+  ImGui::SameLine(desk.theme.px(84.0F));
+  ImGui::SetNextItemWidth(-1.0F);
+  float steady = 100.0F * desk.box.steadiness();
+  if (ImGui::SliderFloat("##steady", &steady, 0.0F, 100.0F, "%.0f %%", ImGuiSliderFlags_AlwaysClamp)) {
+    desk.box.steadiness() = 0.01F * steady;
+  }
   clip(desk);
   const float half = 0.5F * ImGui::GetContentRegionMax().x;
   flag(desk, "Bucket", brush.bucket, "bucket");

@@ -77,15 +77,16 @@ void CanvasPanel::begin_stroke(Desk& desk, const HandEvent& event) {
   ink_.begin(stroke);
   if (stroke.brush.bucket) return ink_.end();
   grip_ = Grip::kStroke;
+  steadied_ = event.at;
 }
 
 void CanvasPanel::move(Desk& desk, const HandEvent& event) {
   switch (grip_) {
     case Grip::kStroke: {
-      const StrokePoint point = stroke_point(desk.view, event);
-      unsent_.push_back(point);
-      ink_.extend(point);
-      return;
+      HandEvent steadied = event;
+      steadied_ = glm::mix(event.at, steadied_, 0.92F * desk.box.steadiness());
+      steadied.at = steadied_;
+      return add_point(stroke_point(desk.view, steadied));
     }
     case Grip::kPan:
       desk.view.pan(event.at - std::exchange(grip_at_, event.at));
@@ -110,9 +111,14 @@ void CanvasPanel::move(Desk& desk, const HandEvent& event) {
   }
 }
 
+void CanvasPanel::add_point(const StrokePoint& point) {
+  unsent_.push_back(point);
+  ink_.extend(point);
+}
+
 void CanvasPanel::release(Desk& desk, const HandEvent& event) {
-  static_cast<void>(event);
   if (grip_ == Grip::kStroke) {
+    if (desk.box.steadiness() > 0.0F) add_point(stroke_point(desk.view, event));  // it catches up with the pointer
     send_points(desk);
     desk.studio->end_stroke();
     ink_.end();

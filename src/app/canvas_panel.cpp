@@ -1,6 +1,7 @@
 #include "app/canvas_panel.h"
 
 #include <cmath>
+#include <utility>
 
 #include "app/icons.h"
 
@@ -69,6 +70,21 @@ void CanvasPanel::refresh_kept(const Desk& desk) {
   paint_.display = desk.display;
 }
 
+/// Dots over the stroke that the pointer rests on in the list of verdicts.
+void CanvasPanel::mark_stroke(Desk& desk) const {
+  const std::uint32_t stroke = std::exchange(desk.pointed_stroke, 0);
+  if (stroke == 0) return;
+  const PaintedPictures& painted = *desk.now->painted;
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const int step = std::max(3, static_cast<int>(7.0F * desk.theme.scale / desk.view.zoom()));
+  for (int y = 0; y < painted.color.height; y += step) {
+    for (int x = 0; x < painted.color.width; x += step) {
+      if (painted.stroke[painted.color.index(x, y)] != stroke) continue;
+      list.AddCircleFilled(im(desk.view.to_screen(Vec2(x, y))), desk.theme.px(1.6F), paint_colors::kAccent, 8);
+    }
+  }
+}
+
 void CanvasPanel::draw_pictures(Desk& desk) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const Vec2 size = desk.view.picture_size();
@@ -98,6 +114,7 @@ void CanvasPanel::draw_pictures(Desk& desk) {
                  desk.wipe_kept && desk.kept ? " Kept" : "Paint");
     list.AddText({top.x + desk.theme.px(10.0F), bottom.y - desk.theme.px(22.0F)}, paint_colors::kText, "Light");
   }
+  mark_stroke(desk);
   ink_.settle(*desk.now);
   ink_.draw(list, desk.view, desk.now->facts->surface, desk.display.exposure);
 }

@@ -38,12 +38,14 @@ class CanvasPanel {
   void move(Desk& desk, const HandEvent& event);
   void release(Desk& desk, const HandEvent& event);
   void begin_stroke(Desk& desk, const HandEvent& event);
+  void add_point(const StrokePoint& point);
   void send_points(Desk& desk);
   void pick_color(Desk& desk, const Vec2& screen);
   void pick_clip(Desk& desk, const Vec2& screen);
   void refresh(const Desk& desk, Shown& shown, Channel channel);
   void refresh_kept(const Desk& desk);
   void draw_pictures(Desk& desk);
+  void mark_stroke(Desk& desk) const;
   void draw_cursor(const Desk& desk);
   void draw_peak(const Desk& desk, const Vec2& screen) const;
 
@@ -60,6 +62,7 @@ class CanvasPanel {
   bool over_ = false;  ///< the pointer is over the canvas
   int mods_ = 0;
   std::vector<StrokePoint> unsent_;
+  Vec2 steadied_{0.0F};  ///< where the stroke is, behind the pointer
 };
 
 /// Name of the object at a place of the picture, in pixels; "" where there is none.

@@ -43,6 +43,7 @@ struct Desk {
   bool wipe_kept = false;             ///< the kept picture on the left
   std::shared_ptr<const Image> kept;  ///< a picture to compare with; null: none
   bool orbit = false;                 ///< the shot from anywhere, in place of the canvas
+  std::uint32_t pointed_stroke = 0;   ///< the canvas marks where it lies; 0: none
   bool pick_clip = false;             ///< the next click names the object that strokes stay on
   bool space_down = false;
   bool hand_down = false;  ///< a stroke is under way

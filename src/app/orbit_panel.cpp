@@ -66,7 +66,7 @@ void OrbitPanel::draw_surfaces(const Desk& desk, const ScreenRect& rect) const {
     if (surface.object[i] == 0) continue;
     const auto at = on_screen(rect, surface.position[i]);
     if (!at || !rect.contains(*at)) continue;
-    const Vec3 color = (lit ? picture.rgb(i) : 0.3F * surface.albedo[i]) + Vec3(0.015F);
+    const Vec3 color = glm::max(lit ? picture.rgb(i) : Vec3(0.0F), 0.08F * surface.albedo[i] + Vec3(0.01F));
     list.AddRectFilled({at->x - dot, at->y - dot}, {at->x + dot, at->y + dot}, shown(color, 255));
   }
 }
@@ -206,7 +206,7 @@ void OrbitPanel::draw(Desk& desk, const ScreenRect& rect, std::span<const HandEv
   draw_surfaces(desk, rect);
   draw_camera(desk, rect);
   for (const Light& light : desk.now->shown->rig.lights) draw_light(desk, rect, light);
-  ImGui::GetWindowDrawList()->AddText({rect.lo.x + desk.theme.px(12.0F), rect.hi.y - desk.theme.px(26.0F)},
+  ImGui::GetWindowDrawList()->AddText({rect.lo.x + desk.theme.px(12.0F), rect.lo.y + desk.theme.px(10.0F)},
                                       paint_colors::kDim,
                                       "Drag: turn.  Shift+drag: move.  Wheel: nearer.  Drag a light to move it.");
   ImGui::End();

@@ -81,6 +81,7 @@ ImU32 color_of(StrokeOutcome outcome) {
 
 void stroke_verdict(Desk& desk, const StrokeVerdict& stroke) {
   ImGui::PushID(static_cast<int>(stroke.stroke));
+  ImGui::BeginGroup();
   ImGui::PushStyleColor(ImGuiCol_Text, color_of(stroke.outcome));
   ImGui::TextWrapped("%s: %s", stroke.label.c_str(), to_string(stroke.outcome));
   ImGui::PopStyleColor();
@@ -99,6 +100,8 @@ void stroke_verdict(Desk& desk, const StrokeVerdict& stroke) {
     ImGui::SameLine();
     ImGui::TextWrapped("%s", stroke.remedy.text.c_str());
   }
+  ImGui::EndGroup();
+  if (ImGui::IsItemHovered()) desk.pointed_stroke = stroke.stroke;
   ImGui::Spacing();
   ImGui::PopID();
 }

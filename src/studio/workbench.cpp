@@ -102,6 +102,7 @@ Result<void> Workbench::follow() {
   live_painting_.emplace(session_->stage(), std::move(canvas), start, waiting_lights(start.rig),
                          LivePainting::Options{});
   proposal_put_ = false;
+  start_epsilon_ = live_painting_->error_of(live_painting_->target().before);
   return {};
 }
 

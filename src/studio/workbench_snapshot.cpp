@@ -138,6 +138,7 @@ Result<std::shared_ptr<const StudioSnapshot>> Workbench::snapshot() {
     facts_ = std::make_shared<const ShotFacts>(facts());
     facts_of_ = &session_->stage();
     quick_stage_.reset();  // it was a smaller one of the stage before
+    style_files_.reset();
   }
   next->facts = facts_;
   LUM_TRY_VOID(refresh_pictures(*next));
