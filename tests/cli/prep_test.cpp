@@ -1,3 +1,5 @@
+#include <array>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "cli/program.h"
@@ -73,12 +75,19 @@ TEST_F(CliTest, PrepMakesProxiesOfTheObjectsThatAreNamed) {
   EXPECT_EQ(after.objects[1].shadow_mesh, -1) << "the floor";
   ASSERT_GE(after.objects[0].shadow_mesh, 0);
   EXPECT_EQ(after.meshes[static_cast<std::size_t>(after.objects[0].shadow_mesh)].triangles.size(), shadow["triangles"]);
-  const std::size_t vertices = before.meshes[0].positions.size();
-  ASSERT_GE(after.meshes[0].positions.size(), vertices) << "large triangles may have been split";
+  // Poles are welded and large triangles may be split, but every place is still there, most with another normal.
+  std::map<std::array<float, 3>, Vec3> normals;
+  for (std::size_t v = 0; v < after.meshes[0].positions.size(); ++v) {
+    const Vec3 p = after.meshes[0].positions[v] + 0.0F;  // -0 is 0
+    normals[{p.x, p.y, p.z}] = after.meshes[0].normals[v];
+  }
   std::size_t turned = 0;
+  const std::size_t vertices = before.meshes[0].positions.size();
   for (std::size_t v = 0; v < vertices; ++v) {
-    EXPECT_EQ(after.meshes[0].positions[v], before.meshes[0].positions[v]);
-    turned += after.meshes[0].normals[v] != before.meshes[0].normals[v] ? 1 : 0;
+    const Vec3 p = before.meshes[0].positions[v] + 0.0F;
+    const auto found = normals.find({p.x, p.y, p.z});
+    ASSERT_NE(found, normals.end()) << v;
+    turned += found->second != before.meshes[0].normals[v] ? 1 : 0;
   }
   EXPECT_GT(turned, vertices / 2);
 
