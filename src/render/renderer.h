@@ -68,7 +68,7 @@ class Renderer {
   /// errors kGl, kLimit; kStyle if more than 1 % of the pixels are not finite (fewer become 0).
   virtual Result<Image> render(const ParamState& state, const RenderOptions& options = {}) = 0;
 
-  /// picture_error(render(state), target, style().metric) without reading the picture back.
+  /// picture_error(render(state), target, style().metric) in one step; engines that sample may take fewer samples.
   virtual Result<double> error(const ParamState& state, const Target& target) = 0;
 
   /// The same up to the order of sums, for callers that turn only a few lights: `moving` are their places in the rig.

@@ -91,7 +91,7 @@ Result<void> run_styles(Device& device, const SuiteOptions& options) {
   for (std::string& style : style_names(AssetRoots::standard())) {
     if (style == "cinematic") continue;
     LUM_TRY(const Style loaded, load_style(AssetRoots::standard(), style));
-    if (!loaded.shades()) continue;
+    if (!loaded.shades() || loaded.engine != StyleEngine::kRaster) continue;
     for (const int lights : kLights) tasks.push_back(task_name(style, lights));
     styles.push_back(std::move(style));
   }

@@ -69,7 +69,8 @@ TEST(Furnace, AClosedShiningRoomHasTheGeometricSumOfItsReflections) {
     shot.set("style/bounces=" + std::to_string(bounces));
     const Mean mean = mean_of(shot.picture());
     // 1 + 1/2 + 1/4 + ...: emission is seen directly and over 1 .. bounces surfaces.
-    EXPECT_NEAR(mean.value, 2.0 - std::pow(0.5, bounces), 4.0 * mean.error + 1e-6) << bounces << " bounces";
+    // Corners make bright paths that are rare, so 256 pixels understate the spread: six of it.
+    EXPECT_NEAR(mean.value, 2.0 - std::pow(0.5, bounces), 6.0 * mean.error + 1e-6) << bounces << " bounces";
     EXPECT_LT(mean.error, 0.02);
   }
 }
