@@ -31,7 +31,7 @@ BrushBox::BrushBox() {
     Brush& brush = brushes_[static_cast<std::size_t>(i)];
     brush.tool = facts_of(static_cast<Tool>(i)).paint;
     brush.diameter = 0.15F;
-    brush.clip = "@";  // light seldom runs over an object's edge
+    brush.clip.assign(1, '@');  // light seldom runs over an object's edge
   }
   // Light behaves like light: it fades as the surface turns away, and never darkens.
   Brush& light = brushes_[static_cast<std::size_t>(Tool::kLight)];

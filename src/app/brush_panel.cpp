@@ -107,7 +107,7 @@ void clip(Desk& desk) {
   const char* shown = clip.empty() ? "anything" : clip == "@" ? "where it begins" : clip.c_str();
   if (ImGui::BeginCombo("##clip", shown)) {
     if (ImGui::Selectable("anything", clip.empty())) clip.clear();
-    if (ImGui::Selectable("where it begins", clip == "@")) clip = "@";
+    if (ImGui::Selectable("where it begins", clip == "@")) clip.assign(1, '@');
     ImGui::Separator();
     for (const std::string& name : desk.now->facts->surface.object_names) {
       if (!name.empty() && ImGui::Selectable(name.c_str(), clip == name)) clip = name;

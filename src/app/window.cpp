@@ -8,6 +8,7 @@
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 #include <utility>
@@ -104,7 +105,7 @@ void Window::install_callbacks() {
     of(handle).add({HandEvent::Kind::kScroll, {}, 0, 0, static_cast<float>(up), 1.0F});
   });
   glfwSetKeyCallback(handle_, [](GLFWwindow* handle, int key, int code, int action, int mods) {
-    ImGui_ImplGlfw_KeyCallback(handle, key, code, action, mods);
+    of(handle).changes_.push_back({key, code, action, mods});
     constexpr int kKnown = GLFW_MOD_CONTROL | GLFW_MOD_SHIFT | GLFW_MOD_ALT;
     of(handle).any_event_ = true;
     if (action != GLFW_RELEASE) of(handle).keys_.push_back({key, mods & kKnown});
@@ -160,8 +161,23 @@ void Window::pass_on_buttons() {
   }
 }
 
+/// ImGui looks at keys once a frame: one that was pressed and let go since is told in two.
+void Window::pass_on_keys() {
+  std::vector<int> turned;
+  std::size_t next = 0;
+  for (; next < changes_.size(); ++next) {
+    const KeyChange& change = changes_[next];
+    if (std::find(turned.begin(), turned.end(), change.key) != turned.end()) break;
+    turned.push_back(change.key);
+    ImGui_ImplGlfw_KeyCallback(handle_, change.key, change.code, change.action, change.mods);
+  }
+  changes_.erase(changes_.begin(), changes_.begin() + static_cast<std::ptrdiff_t>(next));
+  any_event_ = any_event_ || !changes_.empty();
+}
+
 void Window::begin_frame() {
   pass_on_buttons();
+  pass_on_keys();
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
   ImGui::NewFrame();

@@ -51,6 +51,7 @@ class Window {
   [[nodiscard]] int mods() const;
   void add(HandEvent event);
   void pass_on_buttons();
+  void pass_on_keys();
 
   GLFWwindow* handle_ = nullptr;
   std::vector<HandEvent> hand_;
@@ -61,6 +62,13 @@ class Window {
     int mods = 0;
   };
   std::vector<Button> buttons_;  ///< not told to ImGui yet
+  struct KeyChange {
+    int key = 0;
+    int code = 0;
+    int action = 0;
+    int mods = 0;
+  };
+  std::vector<KeyChange> changes_;  ///< the same
   Vec2 pointer_{0.0F};
   Vec2 framed_{-1.0F};  ///< the pointer of the last frame
   float scale_ = 1.0F;

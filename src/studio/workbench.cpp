@@ -54,7 +54,8 @@ Result<void> Workbench::adopt_session(std::unique_ptr<Session> session) {
   offers_.reset();
   style_files_.reset();
   session_ = std::move(session);
-  solving_ = follow_again_ = resting_ = proposal_put_ = false;
+  solving_ = resting_ = proposal_put_ = false;
+  follow_again_ = session_->painted();  // a proposal is in no log: it is looked for again
   unanswered_ = session_->painted() ? 1 : 0;
   facts_of_ = nullptr;
   labels_.clear();

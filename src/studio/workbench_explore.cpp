@@ -54,14 +54,16 @@ Result<void> Workbench::take_offer(std::size_t offer) {
   if (!offers || offer >= offers->size()) {
     return Error{ErrorKind::kNothingToDo, "there is no such offer any more", "", "", ""};
   }
+  if (stroke_) LUM_TRY_VOID(finish_stroke());
   const Offer& taken = (*offers)[offer];
-  auto done = act([&](Session& session) -> Result<void> {
-    LUM_TRY(const Target* target, session.target());
-    session.propose(taken.lights, {{}, taken.report, *target, "Take an offer"});
-    return {};
-  });
+  LUM_TRY(const Target* target, session_->target());
+  session_->propose(taken.lights, {{}, taken.report, *target, "Take an offer"});
+  live_painting_.reset();
+  trial_.reset();
+  solving_ = resting_ = follow_again_ = proposal_put_ = false;
+  unanswered_ = 0;
   picture_.reset();
-  return done;
+  return {};
 }
 
 Result<void> Workbench::prepare() {

@@ -1,6 +1,7 @@
 #include "bench/latency.h"
 
 #include <chrono>
+#include <cmath>
 #include <condition_variable>
 #include <cstdio>
 #include <mutex>
@@ -65,9 +66,9 @@ struct Sent {
   Clock::time_point moment;
 };
 
-class SteadyHand {
+class DrawingHand {
  public:
-  SteadyHand(StudioThread& studio, Watcher& watcher) : studio_(&studio), watcher_(&watcher) {}
+  DrawingHand(StudioThread& studio, Watcher& watcher) : studio_(&studio), watcher_(&watcher) {}
 
   Result<void> draw(const Stroke& stroke) {
     const std::uint64_t taken = studio_->latest()->strokes_taken;
@@ -156,7 +157,7 @@ Result<void> run_latency(const LatencyOptions& options) {
     });
   });
   LUM_TRY_VOID(watcher.wait(studio, [](const StudioSnapshot& now) { return now.picture != nullptr; }));
-  SteadyHand hand(studio, watcher);
+  DrawingHand hand(studio, watcher);
   // The first stroke compiles what shaders there are; it is painted twice and counted once.
   for (int round = 0; round < 2; ++round) {
     LUM_TRY_VOID(hand.draw(strokes.strokes.size() > 1 ? strokes.strokes[1] : strokes.strokes.front()));

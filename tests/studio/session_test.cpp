@@ -95,12 +95,11 @@ TEST_F(SessionTest, SeveralPatternsAreLockedAsOneCommandOrNotAtAll) {
   LUM_EXPECT_OK(session_->add_light({.from_paint = false}));
   const std::size_t steps = session_->project().undo_steps();
   const std::string before = hash();
-  EXPECT_EQ(
-      error_of(session_->set_locked(std::vector<std::string>{"lights/light/color", "lights/nobody/color"}, true)).kind,
-      ErrorKind::kUsage);
+  const std::vector<std::string> wrong = {"lights/light/color", "lights/nobody/color"};
+  EXPECT_EQ(error_of(session_->set_locked(wrong, true)).kind, ErrorKind::kUsage);
   EXPECT_EQ(hash(), before);
-  LUM_ASSERT_OK(const int named,
-                session_->set_locked(std::vector<std::string>{"lights/light/color", "lights/light/position"}, true));
+  const std::vector<std::string> right = {"lights/light/color", "lights/light/position"};
+  LUM_ASSERT_OK(const int named, session_->set_locked(right, true));
   EXPECT_EQ(named, 6);
   EXPECT_EQ(session_->project().undo_steps(), steps + 1);
 }
