@@ -41,6 +41,7 @@ std::vector<DeclaredVerb> declare_verbs(CLI::App& app) {
   std::vector<DeclaredVerb> verbs;
   for (const Entry& entry : {Entry{"render", "Draws a shot", declare_render},
                              Entry{"paint", "Paints strokes on a shot's picture: target and importance", declare_paint},
+                             Entry{"carry", "Carries strokes to another frame or camera", declare_carry},
                              Entry{"solve", "Finds the lights for what is painted", declare_solve},
                              Entry{"alternatives", "Finds different lights for the same paint", declare_alternatives},
                              Entry{"remove", "Removes a light; the others make up for it", declare_remove},

@@ -43,10 +43,19 @@ Result<void> try_folder(const fs::path& folder, const std::string& wanted) {
 
 }  // namespace
 
-void declare_shot(CLI::App& app, ShotWords& words) {
+void declare_view(CLI::App& app, ShotWords& words) {
   app.add_option("SCENE", words.shot.scene, "glTF (.gltf, .glb), .obj, .ply, .stl or .off")->required();
   app.add_option("--camera", words.shot.camera, "Name of a camera of the scene (default: the first)");
   app.add_option("--size", words.size, "Pixels as WxH (default: 640x480)");
+  app.add_option("--frame", words.shot.frame,
+                 "Where the scene's animation and the rig's keys are looked at (default: 0)");
+  require_above_zero(*app.add_option("--fps", words.shot.fps, "Frames a second (default: 24)"));
+  app.add_flag("--floor", words.shot.scene_options.floor, "Puts a floor under the scene");
+  app.add_flag("--wall", words.shot.scene_options.wall, "Puts a wall behind the scene");
+}
+
+void declare_shot(CLI::App& app, ShotWords& words) {
+  declare_view(app, words);
   app.add_option("--rig", words.shot.rig, "Rig file with the lights (default: those in the scene)");
   app.add_option("--style", words.style, "Name of a folder in styles/ (default: cinematic)");
   app.add_option("--samples", words.samples, "Paths a pixel of a path-traced style, as --set style/samples=N")
@@ -62,11 +71,6 @@ void declare_shot(CLI::App& app, ShotWords& words) {
   app.add_option("--constrain", words.constrain, std::string("Holds from now on; may be repeated. ") + kConstraintForms)
       ->allow_extra_args(false)
       ->type_name("RULE");
-  app.add_option("--frame", words.shot.frame,
-                 "Where the scene's animation and the rig's keys are looked at (default: 0)");
-  require_above_zero(*app.add_option("--fps", words.shot.fps, "Frames a second (default: 24)"));
-  app.add_flag("--floor", words.shot.scene_options.floor, "Puts a floor under the scene");
-  app.add_flag("--wall", words.shot.scene_options.wall, "Puts a wall behind the scene");
 }
 
 Result<Shot> shot_from(const ShotWords& words) {

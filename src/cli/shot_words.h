@@ -20,7 +20,9 @@ struct ShotWords {
   std::vector<std::string> constrain;  ///< for parse_constraint(), once all lights are there
 };
 
-/// The words that render, paint and solve share.
+/// Scene, camera, size and time: the words that say what is looked at, for verbs that need no lights and no style.
+void declare_view(CLI::App& app, ShotWords& words);
+/// The words that render, paint and solve share: these and those of lights and style.
 void declare_shot(CLI::App& app, ShotWords& words);
 
 /// errors kUsage for a size that is not WxH and for more than one style.

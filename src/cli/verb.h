@@ -24,6 +24,7 @@ using Verb = std::function<Result<int>(VerbContext&)>;
 /// Each declares a verb's words and returns what runs it. The returned object owns what the words are read into.
 Verb declare_render(CLI::App& app);
 Verb declare_paint(CLI::App& app);
+Verb declare_carry(CLI::App& app);
 Verb declare_solve(CLI::App& app);
 Verb declare_alternatives(CLI::App& app);
 Verb declare_remove(CLI::App& app);

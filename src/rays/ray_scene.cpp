@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <cstring>
 #include <limits>
 #include <optional>
 #include <utility>
@@ -13,16 +12,13 @@
 
 #include "base/check.h"
 #include "prep/shadow_caster.h"
+#include "rays/triangle_geometry.h"
 
 namespace luminist {
 namespace {
 
 constexpr std::size_t kPacket = 16;
 constexpr float kEndMargin = 1e-5F;  // fraction of a segment that belongs to its ends
-
-Error out_of_memory() {
-  return {ErrorKind::kLimit, "no memory for the ray index of the scene", "", "", "use a smaller scene"};
-}
 
 using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 
@@ -36,29 +32,18 @@ void pass_fronts(const RTCFilterFunctionNArguments* args) {
   }
 }
 
-/// Triangles in world space. Indices are checked by whoever made them. leaving: only what leaves them is blocked.
+/// leaving: only what leaves the triangles is blocked.
 bool attach(RTCDevice device, RTCScene scene, std::optional<unsigned> id, const std::vector<Vec3>& positions,
             const Triangles& triangles, const Mat4& world_from_object, bool leaving) {
   if (triangles.empty()) return true;
-  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
-  auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                                               3 * sizeof(float), positions.size()));
-  auto* indices = static_cast<std::uint32_t*>(rtcSetNewGeometryBuffer(
-      geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t), triangles.size()));
-  const bool complete = vertices != nullptr && indices != nullptr;
-  if (complete) {
-    for (std::size_t i = 0; i < positions.size(); ++i) {
-      const Vec3 p(world_from_object * Vec4(positions[i], 1.0F));
-      vertices[3 * i] = p.x, vertices[3 * i + 1] = p.y, vertices[3 * i + 2] = p.z;
-    }
-    std::memcpy(indices, triangles.data(), triangles.size() * sizeof(triangles[0]));
-    if (leaving) rtcSetGeometryOccludedFilterFunction(geometry, pass_fronts);
-    rtcCommitGeometry(geometry);
-    if (id) rtcAttachGeometryByID(scene, geometry, *id);
-    if (!id) rtcAttachGeometry(scene, geometry);
-  }
+  RTCGeometry geometry = triangle_geometry(device, positions, triangles, world_from_object);
+  if (geometry == nullptr) return false;
+  if (leaving) rtcSetGeometryOccludedFilterFunction(geometry, pass_fronts);
+  rtcCommitGeometry(geometry);
+  if (id) rtcAttachGeometryByID(scene, geometry, *id);
+  if (!id) rtcAttachGeometry(scene, geometry);
   rtcReleaseGeometry(geometry);
-  return complete;
+  return true;
 }
 
 }  // namespace
@@ -178,7 +163,7 @@ RayScene::~RayScene() = default;
 
 Result<RayScene> RayScene::create(const Scene& scene) {
   auto impl = std::make_unique<RaySceneImpl>();
-  if (!impl->build(scene)) return out_of_memory();
+  if (!impl->build(scene)) return no_memory_for_rays();
   return RayScene(std::move(impl));
 }
 

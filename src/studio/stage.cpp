@@ -7,23 +7,13 @@
 #include "raster/raster_renderer.h"
 #include "render/param_state.h"
 #include "rig/light_links.h"
+#include "studio/shot_camera.h"
 #include "trace/path_renderer.h"
 
 namespace luminist {
 namespace {
 
 constexpr int kLargestSide = 16384;
-
-Result<Camera> choose_camera(const Scene& scene, const std::string& name) {
-  if (name.empty()) return scene.cameras.front();
-  if (const Camera* camera = scene.find_camera(name)) return *camera;
-  std::vector<std::string> names;
-  for (const Camera& camera : scene.cameras) names.push_back(camera.name);
-  const std::string near = nearest_name(name, names);
-  return Error{
-      ErrorKind::kUsage, fmt::format("the scene has no camera \"{}\"", name), "", "camera",
-      near.empty() ? fmt::format("it has: {}", fmt::join(names, ", ")) : fmt::format("did you mean \"{}\"?", near)};
-}
 
 Result<void> check_size(int width, int height) {
   if (width < 1 || height < 1) {
@@ -68,7 +58,7 @@ Result<std::unique_ptr<Stage>> open_stage(Device& device, const AssetRoots& root
   }
   Scene& scene = *loaded;
   pose(scene, shot.seconds());
-  LUM_TRY(const Camera camera, choose_camera(scene, shot.camera));
+  LUM_TRY(const Camera camera, shot_camera(scene, shot.camera));
   stage->frame = scene.frame();
   stage->camera = camera;
   stage->bounds = scene.bounds();
