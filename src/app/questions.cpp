@@ -99,6 +99,10 @@ void Questions::keys(Desk& desk) {
   ImGui::PopFont();
   ImGui::Spacing();
   if (ImGui::BeginTable("keys", 4)) {
+    for (int pair = 0; pair < 2; ++pair) {
+      ImGui::TableSetupColumn(pair == 0 ? "key" : "key 2", ImGuiTableColumnFlags_WidthFixed, desk.theme.px(96.0F));
+      ImGui::TableSetupColumn(pair == 0 ? "deed" : "deed 2", ImGuiTableColumnFlags_WidthStretch);
+    }
     for (int i = 1; i <= static_cast<int>(Deed::kOpacity); ++i) {
       const auto deed = static_cast<Deed>(i);
       const std::string key = desk.keys().key_of(deed);
@@ -181,7 +185,7 @@ void Questions::draw(Desk& desk) {
   const ImVec2 center = ImGui::GetMainViewport()->GetCenter();
   ImGui::SetNextWindowPos(center, ImGuiCond_Always, {0.5F, 0.5F});
   const bool small = desk.question == Question::kQuit;
-  ImGui::SetNextWindowSize({desk.theme.px(small ? 420.0F : 620.0F), 0.0F});
+  ImGui::SetNextWindowSize({desk.theme.px(small ? 420.0F : 680.0F), 0.0F});
   if (!ImGui::BeginPopupModal("question", nullptr,
                               ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize)) {
     return;

@@ -14,7 +14,6 @@
 #include <fmt/format.h>
 
 #include "app/studio_app.h"
-#include "app/window.h"
 #include "cli/verb.h"
 
 namespace luminist {
@@ -86,9 +85,9 @@ int run_verb(const Verb& verb, Console& console, StopSignals& signals) {
   return stopped ? 128 + signals.stopped() : static_cast<int>(status.error().kind);
 }
 
-/// No verb opens the window; so does a file in its place. Without a display the former is told how to be used.
+/// No verb opens the window; so does a file in its place.
 bool wants_window(int argc, char** argv) {
-  if (argc == 1) return has_display();
+  if (argc == 1) return true;
   return argc == 2 && argv[1][0] != '-' && std::filesystem::path(argv[1]).has_extension();
 }
 
