@@ -1,4 +1,5 @@
 #include <array>
+#include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -76,16 +77,17 @@ TEST_F(CliTest, PrepMakesProxiesOfTheObjectsThatAreNamed) {
   ASSERT_GE(after.objects[0].shadow_mesh, 0);
   EXPECT_EQ(after.meshes[static_cast<std::size_t>(after.objects[0].shadow_mesh)].triangles.size(), shadow["triangles"]);
   // Poles are welded and large triangles may be split, but every place is still there, most with another normal.
-  std::map<std::array<float, 3>, Vec3> normals;
+  std::map<std::array<long, 3>, Vec3> normals;
+  const auto place = [](const Vec3& p) {  // up to the rounding of the poles
+    return std::array{std::lround(1e5F * p.x), std::lround(1e5F * p.y), std::lround(1e5F * p.z)};
+  };
   for (std::size_t v = 0; v < after.meshes[0].positions.size(); ++v) {
-    const Vec3 p = after.meshes[0].positions[v] + 0.0F;  // -0 is 0
-    normals[{p.x, p.y, p.z}] = after.meshes[0].normals[v];
+    normals[place(after.meshes[0].positions[v])] = after.meshes[0].normals[v];
   }
   std::size_t turned = 0;
   const std::size_t vertices = before.meshes[0].positions.size();
   for (std::size_t v = 0; v < vertices; ++v) {
-    const Vec3 p = before.meshes[0].positions[v] + 0.0F;
-    const auto found = normals.find({p.x, p.y, p.z});
+    const auto found = normals.find(place(before.meshes[0].positions[v]));
     ASSERT_NE(found, normals.end()) << v;
     turned += found->second != before.meshes[0].normals[v] ? 1 : 0;
   }

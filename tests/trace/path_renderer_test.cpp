@@ -305,7 +305,8 @@ TEST(PathLinks, ALightLightsOnlyWhatItIsLinkedTo) {
   int floor = 0;
   int others = 0;
   for (std::size_t i = 0; i < linked.pixels(); ++i) {
-    if (!inside(i)) continue;
+    // The panel itself is seen under the ceiling.
+    if (!inside(i) || surface.object_names[surface.object[i]] == "rectangle-3") continue;
     if (surface.object_names[surface.object[i]] == "rectangle-2") {
       EXPECT_EQ(linked.rgb(i), open.rgb(i));
       floor += linked.rgb(i) != Vec3(0.0F) ? 1 : 0;
