@@ -41,7 +41,8 @@ class RasterAgreement : public ::testing::Test {
   void SetUp() override { prepare(board_scene()); }
   void prepare(const Scene& scene) {
     const AssetRoots roots = AssetRoots::standard();
-    raster_.reset();  // before the device it was made from
+    raster_.reset();  // before the device it was made from, which goes before there is another
+    device_.reset();
     LUM_ASSERT_OK(Device device, Device::create_headless());
     device_.emplace(std::move(device));
     LUM_ASSERT_OK(LightTypes types, LightTypes::load(roots));
