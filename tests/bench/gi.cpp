@@ -153,13 +153,13 @@ class GiBench {
     GiRun run{task.start};
     SolveOptions options;
     options.seed = seed;
+    options.restarts = 0;  // of either solver
     if (method == "kept") {
       options.solver = SolverKind::kFast;
       LUM_TRY_VOID(solve(stages_.back().renderer(), task.target, options, run));
       return run;
     }
     options.solver = SolverKind::kSimplex;
-    options.restarts = 0;
     for (std::size_t i = method == "full" ? stages_.size() - 1 : 0; i < stages_.size(); ++i) {
       const BenchStage& stage = stages_[i];
       options.max_evals = options_->max_evals - run.evals;

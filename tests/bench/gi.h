@@ -26,7 +26,7 @@ struct GiOptions {
 /// paths),
 ///                   until it has collapsed once or the cap is reached
 /// multiresolution   the same from a quarter of the size over a half to the whole, each from where the last one ended
-/// kept              the fast solver on kept paths
+/// kept              the fast solver on kept paths, without its rounds of restarts either
 ///
 /// Each is timed from its first picture on (kept paths are traced within); the scene is loaded before. The state that
 /// comes out is judged by an independent picture: other seed, `reference` samples. A line a run, then medians and
