@@ -71,7 +71,8 @@ struct SeenPoint {
   Vec2 point{0.0F};
   float diameter = 0.0F;  ///< at full pressure
   float pressure = 1.0F;
-  bool in_front = false;  ///< of everything, and on the picture
+  bool behind = false;  ///< another object
+  bool inside = true;   ///< of the picture, not only its dab
 };
 
 enum class Sight { kShown, kHidden, kOutside };
@@ -86,17 +87,16 @@ class Carrier {
       result_.pieces.push_back({stroke_.brush, stroke_.picture});
       return std::move(result_);
     }
-    for (const std::vector<AnchoredPoint>& line : stroke_.lines) {
-      for (const AnchoredPoint& point : line) {
-        SeenPoint seen;
-        LUM_TRY(const Sight sight, look_at(point, seen));
-        if (sight == Sight::kHidden) ++result_.hidden;
-        if (sight == Sight::kOutside) ++result_.outside;
-        if (sight != Sight::kShown || (!piece_.empty() && torn(piece_.back(), seen))) finish_piece();
-        if (sight == Sight::kShown) piece_.push_back(seen);
-      }
-      finish_piece();
+    for (const AnchoredPoint& point : stroke_.points) {
+      SeenPoint seen;
+      LUM_TRY(const Sight sight, look_at(point, seen));
+      if (sight == Sight::kHidden) ++result_.hidden;
+      if (sight == Sight::kOutside) ++result_.outside;
+      if (sight != Sight::kShown) continue;
+      if (!piece_.empty() && apart(piece_.back(), seen)) finish_piece();
+      piece_.push_back(seen);
     }
+    if (!piece_.empty()) finish_piece();
     return std::move(result_);
   }
 
@@ -123,7 +123,8 @@ class Carrier {
     const bool behind = view_.hidden(world);
     const bool clipped = !stroke_.brush.clip.empty();
     if (clipped ? behind && view_.hidden(world, object) : behind) return Sight::kHidden;
-    seen.in_front = !behind && beside == Vec2(0.0F);
+    seen.behind = behind;
+    seen.inside = beside == Vec2(0.0F);
     return Sight::kShown;
   }
 
@@ -135,7 +136,7 @@ class Carrier {
     return !(front ? towards > 0.0F : towards < 0.0F);
   }
 
-  static bool torn(const SeenPoint& a, const SeenPoint& b) {
+  static bool apart(const SeenPoint& a, const SeenPoint& b) {
     constexpr float kStretch = kStepsPerDiameter / 2.0F;  // of a step, up to the radius
     return glm::distance(a.point, b.point) > std::max(0.5F * std::max(a.diameter, b.diameter), kStretch * kFinestStep);
   }
@@ -143,11 +144,12 @@ class Carrier {
   void finish_piece() {
     const std::vector<SeenPoint> piece = std::exchange(piece_, {});
     const auto count = static_cast<int>(piece.size());
-    if (!std::any_of(piece.begin(), piece.end(), [](const SeenPoint& p) { return p.in_front; })) {
+    if (!std::any_of(piece.begin(), piece.end(), [](const SeenPoint& p) { return p.inside && !p.behind; })) {
       result_.hidden += count;
       return;
     }
     result_.shown += count;
+    for (const SeenPoint& p : piece) result_.covered += p.behind ? 1 : 0;
     const bool first = result_.pieces.empty();
     if (stroke_.brush.bucket && !first) return;  // one fills the object
     Stroke stroke{stroke_.brush, {}};
@@ -192,16 +194,12 @@ Result<AnchoredStroke> anchored(const Stroke& stroke, const PaintView& view) {
     LUM_TRY(only, view.object(stroke.brush.clip));
   }
   if (!result.follows_points()) return result;
-  bool lifted = true;
   for (const StrokePoint& point : in_steps(stroke)) {
-    const std::optional<SurfaceHit> hit = view.at(point, only);
-    if (!hit) {
+    if (const std::optional<SurfaceHit> hit = view.at(point, only)) {
+      result.points.push_back(anchor(*hit, point, stroke.brush.diameter, view));
+    } else {
       ++result.off_surface;
-      lifted = true;
-      continue;
     }
-    if (std::exchange(lifted, false)) result.lines.emplace_back();
-    result.lines.back().push_back(anchor(*hit, point, stroke.brush.diameter, view));
   }
   return result;
 }

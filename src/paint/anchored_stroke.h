@@ -23,10 +23,10 @@ struct AnchoredPoint {
 /// The way of the hand over the surface, close points apart by an eighth of the brush at most, because what is straight
 /// on one picture is not on another.
 struct AnchoredStroke {
-  Brush brush;                                    ///< "@" has become the name of the object
-  std::vector<std::vector<AnchoredPoint>> lines;  ///< the hand left the surface between them; of a bucket the first
-  std::vector<StrokePoint> picture;               ///< the points as they were painted
-  int off_surface = 0;                            ///< points that were left out: nothing is there to be painted
+  Brush brush;                        ///< "@" has become the name of the object
+  std::vector<AnchoredPoint> points;  ///< of a bucket those that its gradient may start at
+  std::vector<StrokePoint> picture;   ///< as they were painted
+  int off_surface = 0;                ///< points that were left out: nothing is there to be painted
 
   /// Whether the paint follows its points; a bucket's do no more than start its gradient.
   [[nodiscard]] bool follows_points() const;
@@ -41,15 +41,17 @@ Result<AnchoredStroke> anchored(const Stroke& stroke, const PaintView& view);
 struct CarriedStroke {
   std::vector<Stroke> pieces;  ///< none: it is left out
   int shown = 0;               ///< points that are carried
+  int covered = 0;             ///< of them behind another object, where the clip cuts them
   int hidden = 0;              ///< points left out: behind something, or on the side that faces away
   int outside = 0;             ///< points left out: neither they nor their dabs are on the picture
 };
 
 /// The same dabs seen in another view, of the scene at another time maybe. A clipped stroke is hidden by its own object
 /// alone, what else stands before it is cut by the clip; but a piece none of whose points is seen is left out. A stroke
-/// is parted where points are missing, and where neighbours are torn apart by more than the brush's radius. The pieces
-/// share one peak, that of the first; a screen gradient runs out along each. Diameters are as large on the surface as
-/// they were; the largest is the brush's and the rest is pressure. Buckets fill their object as before.
+/// is parted where neighbours are apart by more than the brush's radius: torn, or the points between are left out; what
+/// is narrower a brush covers anyway. The pieces share one peak, that of the first; a screen gradient runs out along
+/// each. Diameters are as large on the surface as they were; the largest is the brush's and the rest is pressure.
+/// Buckets fill their object as before.
 /// errors kBadContent for an object or a triangle that is not in the scene.
 Result<CarriedStroke> carried(const AnchoredStroke& stroke, const PaintView& view);
 

@@ -79,7 +79,7 @@ Result<CarriedPaint> carry_paint(const AssetRoots& roots, const StrokeFile& stro
     }
     peaks.keep(brush, moved.pieces);
     result.fates.push_back({brush.clip, !anchors[i].follows_points(), copy, static_cast<int>(moved.pieces.size()),
-                            moved.shown, anchors[i].off_surface, moved.hidden, moved.outside});
+                            moved.shown, moved.covered, anchors[i].off_surface, moved.hidden, moved.outside});
     for (Stroke& piece : moved.pieces) result.strokes.strokes.push_back(std::move(piece));
   }
   return result;
@@ -92,11 +92,12 @@ std::string fate_line(const StrokeFate& fate, std::size_t stroke) {
   const int all = fate.shown + fate.off_surface + fate.hidden + fate.outside;
   line += fate.pieces == 0 ? "left out" : fmt::format("{} of {} points", fate.shown, all);
   if (fate.pieces > 1) line += fmt::format(" in {} pieces", fate.pieces);
-  std::vector<std::string> missing;
-  if (fate.hidden > 0) missing.push_back(fmt::format("{} hidden", fate.hidden));
-  if (fate.outside > 0) missing.push_back(fmt::format("{} outside of the picture", fate.outside));
-  if (fate.off_surface > 0) missing.push_back(fmt::format("{} off the surface", fate.off_surface));
-  return missing.empty() ? line : line + fmt::format(" ({})", fmt::join(missing, ", "));
+  std::vector<std::string> notes;
+  if (fate.covered > 0) notes.push_back(fmt::format("{} of them behind others", fate.covered));
+  if (fate.hidden > 0) notes.push_back(fmt::format("{} hidden", fate.hidden));
+  if (fate.outside > 0) notes.push_back(fmt::format("{} outside of the picture", fate.outside));
+  if (fate.off_surface > 0) notes.push_back(fmt::format("{} off the surface", fate.off_surface));
+  return notes.empty() ? line : line + fmt::format(" ({})", fmt::join(notes, ", "));
 }
 
 std::string fates_to_json(const std::vector<StrokeFate>& fates) {
@@ -107,6 +108,7 @@ std::string fates_to_json(const std::vector<StrokeFate>& fates) {
                     {"clip", fate.clip},
                     {"pieces", fate.pieces},
                     {"shown", fate.shown},
+                    {"covered", fate.covered},
                     {"hidden", fate.hidden},
                     {"outside", fate.outside},
                     {"off_surface", fate.off_surface}});

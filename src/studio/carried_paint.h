@@ -17,6 +17,7 @@ struct StrokeFate {
   bool copy = false;    ///< left out: a copied image lies on the picture and not on the surface
   int pieces = 0;       ///< strokes that it became; 0: it is left out
   int shown = 0;        ///< points that are carried
+  int covered = 0;      ///< of them behind another object, where the clip cuts them
   int off_surface = 0;  ///< left out where they were painted: nothing is there
   int hidden = 0;       ///< left out: behind something, or on the side that faces away
   int outside = 0;      ///< left out: not on the other picture
