@@ -146,11 +146,25 @@ def kill_all_below():
     print("left behind:", left, file=sys.stderr)
 
 
+LIBC = ctypes.CDLL(None, use_errno=True)
+
+
+def set_process(option, value):
+    """prctl(2)"""
+    if LIBC.prctl(option, value, 0, 0, 0) != 0:
+        raise OSError(ctypes.get_errno(), "prctl")
+
+
 def adopt_orphans():
     """Processes whose parents end come to this one and not to init, so that none is lost sight of."""
     pr_set_child_subreaper = 36
-    if ctypes.CDLL(None, use_errno=True).prctl(pr_set_child_subreaper, 1, 0, 0, 0) != 0:
-        raise OSError(ctypes.get_errno(), "prctl")
+    set_process(pr_set_child_subreaper, 1)
+
+
+def end_with_the_test():
+    """In a daemon, before it runs: also where the test itself is killed."""
+    pr_set_pdeathsig = 1
+    set_process(pr_set_pdeathsig, signal.SIGKILL)
 
 
 class Cluster:
@@ -187,7 +201,8 @@ class Cluster:
     def daemon(self, name, words):
         with open(self.folder / f"{name}.out", "wb") as out:
             self.daemons[name] = subprocess.Popen(words, env=self.environment, stdin=subprocess.DEVNULL, stdout=out,
-                                                  stderr=out, start_new_session=True)
+                                                  stderr=out, start_new_session=True,
+                                                  preexec_fn=end_with_the_test)
 
     def ask(self, *words):
         """Lines of an answer; none while there is no controller to give one."""
@@ -307,7 +322,7 @@ def main():
         run_job(cluster, luminist, output / "farm")
         print(f"job done: {time.monotonic() - started:.1f} s")
         check(luminist, output / "farm", output / "serial")
-    except Fault as fault:
+    except (Fault, subprocess.CalledProcessError) as fault:
         cluster.logs()
         print(f"slurm: {fault}")
         return 1
