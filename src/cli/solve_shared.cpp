@@ -65,6 +65,7 @@ Result<std::vector<std::optional<Verdict>>> judge_all(const SharedSolve& solve, 
                                                       const StopSignals& signals) {
   std::vector<std::optional<Verdict>> verdicts(views.size());
   for (std::size_t k = 0; k < views.size() && signals.stopped() == 0; ++k) {
+    if (!views[k].session->stage().judges()) continue;
     LUM_TRY(const Target* target, views[k].session->target());
     Renderer& renderer = *views[k].session->stage().renderer;
     const ParamState state = solve.state(k);

@@ -61,7 +61,7 @@ Result<void> solve_into(Session& session, const SolveWords& words, const std::st
     context.console.progress(report);
     return deadline.go_on();
   });
-  if (solved && context.signals.stopped() == 0) LUM_TRY_VOID(session.judge());
+  if (solved && context.signals.stopped() == 0 && session.stage().judges()) LUM_TRY_VOID(session.judge());
   return write_proposal(session, folder, std::move(solved));
 }
 

@@ -67,7 +67,7 @@ Result<void> ScriptRunner::solve(const Action& action) {
     return !cancelled && !late;
   }));
   if (cancelled) return export_stopped();
-  LUM_TRY_VOID(session_->judge());
+  if (session_->stage().judges()) LUM_TRY_VOID(session_->judge());
   if (events_.solved) events_.solved(*session_->solved(), session_->shown());
   return {};
 }

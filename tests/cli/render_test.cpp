@@ -92,8 +92,13 @@ TEST_F(CliTest, EveryVerbHasHelpWithAnExample) {
   }
 }
 
+TEST_F(CliTest, SaysWhatToDoWhereThereIsNoDisplayForTheWindow) {
+  const Outcome outcome = shell("env -u DISPLAY -u WAYLAND_DISPLAY \"$LUMINIST\"", folder_.path());
+  expect_error(outcome, 6);
+  EXPECT_NE(outcome.err.find("--help"), std::string::npos) << outcome.err;
+}
+
 TEST_F(CliTest, RefusesWordsThatItDoesNotKnowWithStatusTwo) {
-  expect_error(luminist(""), 2);
   expect_error(luminist("rendre ball.obj"), 2);
   expect_error(luminist("render ball.obj"), 2);
   expect_error(luminist("render ball.obj --size 64by48 -o a.png"), 2);

@@ -9,7 +9,7 @@
 namespace luminist {
 namespace {
 
-constexpr int kActions = 2000;
+constexpr int kActions = 400;  // the workbench's monkey does more
 
 int actions() {
   const char* asked = std::getenv("LUMINIST_MONKEY_ACTIONS");
