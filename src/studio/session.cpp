@@ -117,7 +117,9 @@ Result<void> Session::redo() {
 Result<void> Session::reload() {
   LUM_TRY(Shot shot, read_shot(project_.document()));
   std::unique_ptr<Stage> stage;
-  if (!same_stage(shot, shot_)) {
+  Shot seen = shot;
+  if (!stage_->moving) seen.frame = shot_.frame, seen.fps = shot_.fps;  // nothing moves: every frame looks the same
+  if (!same_stage(seen, shot_)) {
     const bool same_file = shot.scene == shot_.scene && shot.scene_options == shot_.scene_options;
     LUM_TRY(stage, open_stage(*device_, roots_, shot, folder_, *diagnostics_, same_file ? stage_->moving : nullptr));
   }
