@@ -83,6 +83,9 @@ Result<int> render_frames(const Words& words, const Shot& shot, VerbContext& con
 Result<int> render(const Words& words, VerbContext& context) {
   LUM_TRY(const Shot shot, shot_from(words.shot));
   LUM_TRY_VOID(check_image_output(words.output));
+  if (words.watch && !words.frames.empty()) {
+    return Error{ErrorKind::kUsage, "a sequence is not watched", "", "--watch", "leave out --frames"};
+  }
   if (!words.frames.empty()) return render_frames(words, shot, context);
   LUM_TRY(Device device, Device::create_headless());
   Diagnostics diagnostics;

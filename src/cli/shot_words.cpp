@@ -101,6 +101,7 @@ Result<void> check_image_output(const std::string& path) {
   if (fs::is_directory(file, error)) {
     return Error{ErrorKind::kUnwritable, "it is a folder", path, "-o", "give the name of a file"};
   }
+  if (file.has_parent_path()) LUM_TRY_VOID(make_folder(file.parent_path()));
   return try_folder(file.has_parent_path() ? file.parent_path() : fs::path("."), path);
 }
 

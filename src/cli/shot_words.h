@@ -28,8 +28,8 @@ void declare_shot(CLI::App& app, ShotWords& words);
 /// errors kUsage for a size that is not WxH and for more than one style.
 Result<Shot> shot_from(const ShotWords& words);
 
-/// Whether an image can be written there, tried before long work: the ending is .exr or .png and the folder takes
-/// files. errors kUsage, kUnwritable.
+/// Whether an image can be written there, tried before long work: the ending is .exr or .png and the folder, which is
+/// made if it is not there, takes files. errors kUsage, kUnwritable.
 Result<void> check_image_output(const std::string& path);
 /// Makes the folder and tries it. errors kUnwritable.
 Result<void> check_folder_output(const std::string& path);

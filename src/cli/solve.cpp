@@ -28,6 +28,12 @@ Result<void> key_free_params(Session& session) {
 }
 
 Result<int> solve(const SolveWords& words, VerbContext& context) {
+  if (words.keys && (!words.views.empty() || several_styles(words))) {
+    return Error{ErrorKind::kUsage, "keys are set by a solve at one frame in one style", "", "--key", ""};
+  }
+  if (words.together && !words.views.empty()) {
+    return Error{ErrorKind::kUsage, "views are solved together anyway", "", "--together", "leave it out"};
+  }
   if (!words.views.empty()) {
     if (several_styles(words)) {
       return Error{ErrorKind::kUsage, "several views have one style", "", "--style", "name one style"};

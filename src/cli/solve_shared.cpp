@@ -19,9 +19,17 @@ std::string folder_of(const SolveWords& words, const SharedView& view) {
   return (std::filesystem::path(words.output) / view.name).string();
 }
 
+/// The rig as it was found, with keys at the frames that were looked at.
+LightRig keyed_rig(const SharedSolve& solve, const std::vector<SharedView>& views) {
+  LightRig rig = solve.rig();
+  for (const SharedView& view : views) follow_with_keys(rig, view.session->shot().frame);
+  return rig;
+}
+
 Result<void> write_shared(const SharedSolve& solve, const std::vector<SharedView>& views,
                           const std::vector<std::optional<Verdict>>& verdicts, const SolveWords& words) {
-  LUM_TRY_VOID(write_file_atomic(std::filesystem::path(words.output) / "rig.toml", rig_to_toml(solve.rig())));
+  LUM_TRY_VOID(
+      write_file_atomic(std::filesystem::path(words.output) / "rig.toml", rig_to_toml(keyed_rig(solve, views))));
   LUM_TRY_VOID(
       write_file_atomic(std::filesystem::path(words.output) / "convergence.jsonl", convergence_lines(solve.report())));
   for (std::size_t k = 0; k < views.size(); ++k) {

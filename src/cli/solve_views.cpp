@@ -1,5 +1,5 @@
 // `solve --view` of cli/solve_shared.h.
-#include <array>
+#include <algorithm>
 #include <map>
 
 #include <fmt/format.h>
@@ -73,6 +73,10 @@ Result<ViewWords> words_for(const SolveWords& words, const std::string& text, st
 }  // namespace
 
 Result<int> solve_views(const SolveWords& words, VerbContext& context) {
+  if (!words.paint.strokes.empty() || !words.paint.target.empty()) {
+    return Error{ErrorKind::kUsage, "with --view each view has paint of its own", "", "--paint",
+                 "write --view frame=12,paint=strokes.json for each"};
+  }
   std::vector<ViewWords> all;
   for (std::size_t i = 0; i < words.views.size(); ++i) {
     LUM_TRY(ViewWords view, words_for(words, words.views[i], i));
@@ -88,6 +92,12 @@ Result<int> solve_views(const SolveWords& words, VerbContext& context) {
     LUM_TRY(auto session,
             open_task(device, shot, &view.solve.paint, view.solve.shot, view.solve.locks, context, diagnostics));
     views.push_back({view.name, std::move(session), view.weight});
+  }
+  const bool keyed = !views.front().session->state().rig.keys.empty();
+  const double frame = views.front().session->shot().frame;
+  if (keyed && std::ranges::any_of(views, [&](const SharedView& v) { return v.session->shot().frame != frame; })) {
+    return Error{ErrorKind::kUsage, "lights with keys differ from frame to frame", "", "--view",
+                 "solve at one frame after the other with --frame and --key"};
   }
   return solve_shared(views, "views", words, context);
 }

@@ -83,6 +83,29 @@ Result<void> apply_locks(Session& session, const LockWords& words) {
   return {};
 }
 
+/// Whether a name, or "group:NAME", is of a light that is there.
+bool is_there(const LightRig& rig, const std::string& name) {
+  constexpr std::string_view kGroup = "group:";
+  return std::ranges::any_of(rig.lights, [&](const Light& light) {
+    return name.starts_with(kGroup) ? light.group == name.substr(kGroup.size()) : light.name == name;
+  });
+}
+
+/// Links lights that are there. returns the words about others.
+Result<std::vector<std::string>> link_known(Session& session, const std::vector<std::string>& words) {
+  std::vector<std::string> others;
+  for (const std::string& each : words) {
+    LUM_TRY(const LinkWords link, parse_link(each));
+    if (!is_there(session.state().rig, link.light)) {
+      others.push_back(each);
+    } else {
+      LUM_TRY_VOID(session.link_light(link.light, link.patterns));
+    }
+  }
+  return others;
+}
+
+/// errors for lights that are not there, too.
 Result<void> link_all(Session& session, const std::vector<std::string>& words) {
   for (const std::string& each : words) {
     LUM_TRY(const LinkWords link, parse_link(each));
@@ -91,16 +114,25 @@ Result<void> link_all(Session& session, const std::vector<std::string>& words) {
   return {};
 }
 
+/// Paint lies on a picture, so what is known of the lights that make it comes first.
+Result<void> link_and_paint(Session& session, const PaintWords* paint, const std::vector<std::string>& links,
+                            const AssetRoots& roots) {
+  LUM_TRY(const std::vector<std::string> later, link_known(session, links));
+  if (paint != nullptr) {
+    LUM_TRY_VOID(put_target(session, *paint, roots));
+    LUM_TRY_VOID(add_new_lights(session, *paint));
+  }
+  return link_all(session, later);
+}
+
 Result<std::unique_ptr<Session>> open_task(Device& device, const Shot& shot, const PaintWords* paint,
                                            const ShotWords& words, const LockWords& locks, VerbContext& context,
                                            Diagnostics& diagnostics) {
   auto session = Session::open(device, context.roots, shot, ".", diagnostics);
-  auto painted = session && paint != nullptr ? put_target(**session, *paint, context.roots) : Result<void>();
+  auto painted = session ? link_and_paint(**session, paint, words.link, context.roots) : Result<void>();
   context.console.warn(diagnostics);
   if (!session) return session;
   LUM_TRY_VOID(std::move(painted));
-  if (paint != nullptr) LUM_TRY_VOID(add_new_lights(**session, *paint));
-  LUM_TRY_VOID(link_all(**session, words.link));
   LUM_TRY_VOID((*session)->constrain(words.constrain));
   LUM_TRY_VOID(apply_locks(**session, locks));
   return session;

@@ -221,8 +221,8 @@ void turn_paint(Document& document, double from_frame, double to_frame) {
     document.erase_below(from);
     for (auto& [path, value] : moved) document.set(path, std::move(value));
   };
-  move("paint/", fmt::format("frames/{}/paint/", number_text(from_frame)));
-  move(fmt::format("frames/{}/paint/", number_text(to_frame)), "paint/");
+  move("paint/", fmt::format("frames/{}/paint/", number_text(from_frame + 0.0)));
+  move(fmt::format("frames/{}/paint/", number_text(to_frame + 0.0)), "paint/");
 }
 
 bool has_paint(const Document& document) {

@@ -116,6 +116,9 @@ Result<void> read_track(const Document& document, const std::string& light, cons
     for (const Json& each : keys) {
       LUM_TRY(const Key key, read_key(each, path));
       if (!track.keys.empty() && !(key.frame > track.keys.back().frame)) return wrong(path, "frames must ascend");
+      const bool chosen = spec.type != ParamType::kChoice ||
+                          (key.value[0] >= 0.0 && key.value[0] < static_cast<double>(spec.choices.size()));
+      if (!chosen) return wrong(path, "there is no such choice");
       track.keys.push_back(key);
     }
     rig.keys.push_back(std::move(track));

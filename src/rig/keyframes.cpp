@@ -56,8 +56,10 @@ Values mixed(const Values& a, const Values& b, double t) {
 
 /// Along the great circle; around any axis between opposite directions.
 Values turned(const Values& from, const Values& to, double t) {
-  const glm::dvec3 a = glm::normalize(glm::dvec3(from[0], from[1], from[2]));
-  const glm::dvec3 b = glm::normalize(glm::dvec3(to[0], to[1], to[2]));
+  glm::dvec3 a(from[0], from[1], from[2]);
+  glm::dvec3 b(to[0], to[1], to[2]);
+  if (!(glm::length(a) > 0.0) || !(glm::length(b) > 0.0)) return from;  // no direction to turn
+  a = glm::normalize(a), b = glm::normalize(b);
   const double angle = std::acos(std::clamp(glm::dot(a, b), -1.0, 1.0));
   constexpr double kTiny = 1e-9;
   glm::dvec3 across = b - glm::dot(a, b) * a;
@@ -166,14 +168,15 @@ bool remove_key(LightRig& rig, const std::string& light, int param, double frame
 }
 
 int follow_with_keys(LightRig& rig, double frame) {
+  if (rig.keys.empty()) return 0;
+  LightRig posed = rig;  // with its constraints: what they move is no change
+  pose(posed, frame);
   int count = 0;
   for (KeyTrack& track : rig.keys) {
     ParamBlock* block = block_of(rig, track.light);
     const auto param = block != nullptr ? block->schema().find(track.param) : std::nullopt;
     if (!param) continue;
-    ParamBlock posed = *block;
-    apply(value_at(track, block->schema()[*param], frame), posed, *param);
-    if (stored(posed, *param) == stored(*block, *param)) continue;
+    if (stored(*block_of(posed, track.light), *param) == stored(*block, *param)) continue;
     put_key(track, {frame, interpolation_at(track, frame), stored(*block, *param)});
     ++count;
   }

@@ -13,7 +13,10 @@ namespace {
 /// The frames of each task, as --frames takes them.
 std::vector<std::string> chunks(const FarmJob& job) {
   const std::vector<int> frames = job.range.frames();
-  const auto size = static_cast<std::size_t>(std::max(job.chunk, 1));
+  // Slurm takes arrays of up to 1,001 tasks unless it is told otherwise.
+  constexpr std::size_t kMostTasks = 1000;
+  const std::size_t least = (frames.size() + kMostTasks - 1) / kMostTasks;
+  const auto size = std::max(static_cast<std::size_t>(std::max(job.chunk, 1)), least);
   std::vector<std::string> words;
   for (std::size_t begin = 0; begin < frames.size(); begin += size) {
     const int last = frames[std::min(begin + size, frames.size()) - 1];

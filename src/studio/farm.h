@@ -12,7 +12,7 @@ struct FarmJob {
   std::string program;                 ///< the executable on the machines of the farm
   std::vector<std::string> arguments;  ///< of `render`, without --frames
   FrameRange range;
-  int chunk = 8;  ///< frames a task: what starts a task costs an engine about a second
+  int chunk = 8;  ///< frames a task: to start one costs an engine about a second; more where tasks would be above 1,000
   std::string name = "luminist";
 };
 

@@ -48,6 +48,7 @@ Result<std::unique_ptr<Stage>> open_stage(Device& device, const AssetRoots& root
                                           std::shared_ptr<Scene> moving) {
   LUM_TRY_VOID(check_size(shot.width, shot.height));
   auto stage = std::make_unique<Stage>();
+  stage->id = device.new_id();
   LUM_TRY(stage->style, load_whole_style(roots, shot.style));
   LUM_TRY(stage->types, LightTypes::load(roots));
   std::shared_ptr<Scene> loaded = std::move(moving);

@@ -1,5 +1,6 @@
 #pragma once
 // studio/stage.h -- a shot, loaded: scene, camera, style, light types and the engine that draws them.
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
@@ -22,6 +23,7 @@ class RasterRenderer;
 
 /// Made by open_stage(); stays where it is, because the engine points into it.
 struct Stage {
+  std::uint64_t id = 0;  ///< no other stage on the device has it
   LightTypes types;
   Style style;
   SceneFrame frame;

@@ -211,6 +211,10 @@ void StudioThread::publish() {
   auto snapshot = bench_->snapshot();
   published_ = Clock::now();
   if (!snapshot) {
+    {
+      const std::lock_guard lock(mutex_);
+      doing_.clear();
+    }
     attend(std::move(snapshot).error());
     return;
   }
@@ -236,9 +240,11 @@ bool StudioThread::step() {
 
 /// What waits until there is nothing else to do.
 void StudioThread::idle() {
-  if (!bench_->has_session()) return;
+  if (!bench_ || !bench_->has_session()) return;
   attend(bench_->sync_if_due());
+  if (!bench_) return;
   attend(bench_->prepare());
+  if (!bench_) return;
   const auto refreshed = bench_->refresh_style();
   if (!refreshed) attend(refreshed.error());
   if (refreshed && *refreshed) {

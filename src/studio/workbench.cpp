@@ -57,7 +57,7 @@ Result<void> Workbench::adopt_session(std::unique_ptr<Session> session) {
   solving_ = resting_ = proposal_put_ = false;
   follow_again_ = session_->painted();  // a proposal is in no log: it is looked for again
   unanswered_ = session_->painted() ? 1 : 0;
-  facts_of_ = nullptr;
+  facts_of_ = 0;
   labels_.clear();
   undo_seen_ = session_->project().undo_steps();
   forget_pictures();
@@ -114,6 +114,12 @@ Result<void> Workbench::hand_canvas() {
 }
 
 Result<void> Workbench::begin_stroke(const Stroke& stroke, const fs::path& folder) {
+  auto begun = open_stroke(stroke, folder);
+  if (!begun) drop_stroke();  // half of it may be on a canvas
+  return begun;
+}
+
+Result<void> Workbench::open_stroke(const Stroke& stroke, const fs::path& folder) {
   if (stroke_) LUM_TRY_VOID(finish_stroke());
   trial_.reset();
   if (std::exchange(solving_, false)) session_->stop_solve();
@@ -170,6 +176,8 @@ void Workbench::end_quick() {
 
 Result<void> Workbench::extend_stroke(std::span<const StrokePoint> points) {
   if (!stroke_ || points.empty()) return {};
+  // First, so that what is recorded is what the canvas got, whatever becomes of the lights.
+  stroke_->stroke.points.insert(stroke_->stroke.points.end(), points.begin(), points.end());
   if (stroke_->live) {
     LUM_TRY(const LiveEvent event, live_painting_->extend(points));
     live_epsilon_ = event.epsilon;
@@ -180,7 +188,6 @@ Result<void> Workbench::extend_stroke(std::span<const StrokePoint> points) {
     LUM_TRY(const LiveEvent event, quick_painting_->extend(points));
     live_epsilon_ = event.epsilon;
   }
-  stroke_->stroke.points.insert(stroke_->stroke.points.end(), points.begin(), points.end());
   painted_.reset();
   if (!stroke_->quick || quick_painting_->has_lights()) picture_.reset();
   return {};

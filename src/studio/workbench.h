@@ -99,6 +99,7 @@ class Workbench {
   [[nodiscard]] StrokeFile file_of(const Stroke& stroke) const;
   Result<void> follow();
   Result<void> hand_canvas();
+  Result<void> open_stroke(const Stroke& stroke, const std::filesystem::path& folder);
   Result<void> begin_quick(const Stroke& stroke, const std::filesystem::path& folder);
   void end_quick();
   Result<void> finish_stroke();
@@ -138,10 +139,9 @@ class Workbench {
   double start_epsilon_ = 0.0;  ///< error of what is painted on
   double live_epsilon_ = 0.0;   ///< of the picture of live_painting_
   std::uint32_t unanswered_ = 0;
-  std::uint64_t strokes_taken_ = 0;
-  std::uint64_t version_ = 0;
+  std::uint64_t strokes_taken_ = 0, version_ = 0;
   std::shared_ptr<const ShotFacts> facts_;
-  const Stage* facts_of_ = nullptr;
+  std::uint64_t facts_of_ = 0, unprepared_ = 0;  ///< ids of stages: the facts', and one that was tried to be had small
   std::shared_ptr<const Image> picture_;
   std::shared_ptr<const PaintedPictures> painted_;
   std::chrono::steady_clock::time_point solve_shown_;

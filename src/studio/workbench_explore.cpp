@@ -68,6 +68,8 @@ Result<void> Workbench::take_offer(std::size_t offer) {
 
 Result<void> Workbench::prepare() {
   if (!session_ || quick_stage_ || !device_->info().software || !QuickStage::helps(session_->shot())) return {};
+  if (unprepared_ == session_->stage().id) return {};  // it failed once, which was told
+  unprepared_ = session_->stage().id;
   Diagnostics told_already;
   LUM_TRY(quick_stage_, QuickStage::open(*device_, roots_, session_->shot(), session_->project().folder().parent_path(),
                                          told_already));
@@ -76,7 +78,7 @@ Result<void> Workbench::prepare() {
 
 Result<bool> Workbench::refresh_style() {
   if (!session_ || stroke_) return false;
-  if (!style_files_ || facts_of_ != &session_->stage()) {
+  if (!style_files_ || facts_of_ != session_->stage().id) {
     style_files_.emplace(session_->stage().style);
     return false;
   }
@@ -90,7 +92,7 @@ Result<bool> Workbench::refresh_style() {
   trial_.reset();
   solving_ = resting_ = proposal_put_ = false;
   follow_again_ = live_ && session_->painted();
-  facts_of_ = nullptr;
+  facts_of_ = 0;
   forget_pictures();
   note_history();
   return true;

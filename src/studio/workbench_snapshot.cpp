@@ -134,9 +134,9 @@ Result<std::shared_ptr<const StudioSnapshot>> Workbench::snapshot() {
   next->solo = solo_;
   next->offers = offers_;
   if (!session_) return std::shared_ptr<const StudioSnapshot>(next);
-  if (facts_of_ != &session_->stage()) {
+  if (facts_of_ != session_->stage().id) {
     facts_ = std::make_shared<const ShotFacts>(facts());
-    facts_of_ = &session_->stage();
+    facts_of_ = session_->stage().id;
     quick_stage_.reset();  // it was a smaller one of the stage before
     style_files_.reset();
   }
