@@ -121,9 +121,10 @@ Verb declare_render(CLI::App& app) {
   declare_shot(app, words->shot);
   app.add_option("-o,--output", words->output, "Picture: .exr (linear) or .png")->required();
   app.add_flag("--watch", words->watch, "Renders again whenever the style's files are written, until Ctrl-C");
-  CLI::Option* frames = app.add_option("--frames", words->frames,
-                                       "A sequence, as 0-47 or 0-47x2; -o has the number for #### before its "
-                                       "ending. Frames that are there, whole and from the same input, stay");
+  CLI::Option* frames =
+      app.add_option("--frames", words->frames,
+                     "A sequence, as 0-47 or 0-47x2; -o has the number for #### before its "
+                     "ending. Frames that are there, whole and from the same scene, style and lights, stay");
   app.add_option("--film", words->film, "A film of the frames, .mp4, by ffmpeg")->needs(frames);
   app.add_option("--strip", words->strip, "The frames side by side: .png or .exr")->needs(frames);
   app.add_flag("--again", words->again, "Renders frames also where they are there")->needs(frames);

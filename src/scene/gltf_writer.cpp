@@ -37,6 +37,8 @@ class GltfWriter {
   void add_lights();
   /// A thing's own node, in the world or under the one it hangs from.
   int add_node(const std::string& name, const Mat4& world_from_node, const Mount& mount);
+  /// Under another node, or with -1 in the world. returns its index.
+  int hang_node(tinygltf::Node node, int parent);
   void add_moving_nodes();
   void add_tracks();
 
@@ -186,13 +188,14 @@ int GltfWriter::add_node(const std::string& name, const Mat4& world_from_node, c
   if (matrix != Mat4(1.0F)) {
     for (int i = 0; i < 16; ++i) node.matrix.push_back(matrix[i / 4][i % 4]);
   }
+  return hang_node(std::move(node), mount.node);
+}
+
+int GltfWriter::hang_node(tinygltf::Node node, int parent) {
   const auto index = static_cast<int>(model_.nodes.size());
   model_.nodes.push_back(std::move(node));
-  if (mount.node >= 0) {
-    model_.nodes[static_cast<std::size_t>(mount.node)].children.push_back(index);
-  } else {
-    model_.scenes[0].nodes.push_back(index);
-  }
+  auto& siblings = parent >= 0 ? model_.nodes[static_cast<std::size_t>(parent)].children : model_.scenes[0].nodes;
+  siblings.push_back(index);
   return index;
 }
 
@@ -208,13 +211,7 @@ void GltfWriter::add_moving_nodes() {
       node.rotation = {from.rotation.x, from.rotation.y, from.rotation.z, from.rotation.w};
       node.scale = {from.scale.x, from.scale.y, from.scale.z};
     }
-    const auto index = static_cast<int>(model_.nodes.size());
-    model_.nodes.push_back(std::move(node));
-    if (from.parent >= 0) {
-      model_.nodes[static_cast<std::size_t>(from.parent)].children.push_back(index);
-    } else {
-      model_.scenes[0].nodes.push_back(index);
-    }
+    hang_node(std::move(node), from.parent);
   }
 }
 
