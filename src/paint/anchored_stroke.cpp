@@ -56,14 +56,19 @@ Vec3 front_in_world(const std::array<Vec3, 3>& corners, const Mat4& place) {
   return glm::determinant(turn) < 0.0F ? -across : across;
 }
 
-AnchoredPoint anchor(const SurfaceHit& hit, const StrokePoint& point, float diameter, const PaintView& view) {
-  const std::array<Vec3, 3> corners = view.corners(hit.object, hit.triangle);
-  const Mat4& place = view.world_from(hit.object);
-  const Vec3 world(place * Vec4(blend(corners, hit.weights), 1.0F));
+AnchoredPoint anchor(const RayHit& hit, const StrokePoint& point, float diameter, const PaintView& view) {
+  const std::array<Vec3, 3> corners = view.corners(static_cast<int>(hit.object), hit.triangle);
+  const Mat4& place = view.world_from(static_cast<int>(hit.object));
+  const Vec3 world(place * Vec4(blend(corners, hit.weights()), 1.0F));
   const bool front = glm::dot(front_in_world(corners, place), view.eye() - world) > 0.0F;
   const Vec3 normal = glm::normalize(glm::cross(corners[1] - corners[0], corners[2] - corners[0]));
-  const float radius = 0.5F * diameter * view.height_at(hit.t) / scale_of(place);
-  return {view.name(hit.object), hit.triangle, hit.weights, front ? normal : -normal, radius, point.pressure};
+  const float radius = 0.5F * diameter * view.height_at(hit.distance) / scale_of(place);
+  return {view.name(static_cast<int>(hit.object)),
+          hit.triangle,
+          hit.weights(),
+          front ? normal : -normal,
+          radius,
+          point.pressure};
 }
 
 /// A point on its new picture.
@@ -183,20 +188,20 @@ Result<AnchoredStroke> anchored(const Stroke& stroke, const PaintView& view) {
   result.picture = stroke.points;
   int only = SurfaceRays::kAnyObject;
   if (stroke.brush.clip == "@") {
-    const auto under = stroke.points.empty() ? std::nullopt : view.at(stroke.points.front());
-    if (!under) {
+    const RayHit under = stroke.points.empty() ? RayHit() : view.at(stroke.points.front());
+    if (!under.hit()) {
       return Error{ErrorKind::kBadContent, "there is no object under the first point", "", "clip",
                    "start the stroke on an object"};
     }
-    only = under->object;
+    only = static_cast<int>(under.object);
     result.brush.clip = view.name(only);
   } else if (!stroke.brush.clip.empty()) {
     LUM_TRY(only, view.object(stroke.brush.clip));
   }
   if (!result.follows_points()) return result;
   for (const StrokePoint& point : in_steps(stroke)) {
-    if (const std::optional<SurfaceHit> hit = view.at(point, only)) {
-      result.points.push_back(anchor(*hit, point, stroke.brush.diameter, view));
+    if (const RayHit hit = view.at(point, only); hit.hit()) {
+      result.points.push_back(anchor(hit, point, stroke.brush.diameter, view));
     } else {
       ++result.off_surface;
     }

@@ -57,7 +57,7 @@ std::array<Vec3, 3> PaintView::corners(int object, std::uint32_t triangle) const
   return {mesh.positions[a], mesh.positions[b], mesh.positions[c]};
 }
 
-std::optional<SurfaceHit> PaintView::at(const StrokePoint& point, int only) const {
+RayHit PaintView::at(const StrokePoint& point, int only) const {
   const float x = (point.x - 0.5F * aspect_) * 2.0F * slope_;
   const float y = (0.5F - point.y) * 2.0F * slope_;
   // One step along the way is one unit of depth.
@@ -75,7 +75,7 @@ std::optional<PicturePlace> PaintView::place_of(const Vec3& world) const {
 bool PaintView::hidden(const Vec3& world, int only) const {
   const Vec3 way = world - eye_;
   const float depth = -(camera_from_world_ * Vec4(world, 1.0F)).z;
-  return rays_.first({eye_, way, near_ / depth, 1.0F - kSameSurface}, only).has_value();
+  return rays_.first({eye_, way, near_ / depth, 1.0F - kSameSurface}, only).hit();
 }
 
 }  // namespace luminist

@@ -32,8 +32,8 @@ class PaintView {
   [[nodiscard]] std::array<Vec3, 3> corners(int object, std::uint32_t triangle) const;
   [[nodiscard]] std::size_t triangles(int object) const;
 
-  /// What a point of the picture shows, of all objects or of one alone; the hit's t is the depth.
-  [[nodiscard]] std::optional<SurfaceHit> at(const StrokePoint& point, int only = SurfaceRays::kAnyObject) const;
+  /// What a point of the picture shows, of all objects or of one alone; the hit's distance is the depth.
+  [[nodiscard]] RayHit at(const StrokePoint& point, int only = SurfaceRays::kAnyObject) const;
   /// Where a place of the world is on the picture, also beside it; nothing if it is not between the clip planes.
   [[nodiscard]] std::optional<PicturePlace> place_of(const Vec3& world) const;
   /// Whether something stands before that place, of all objects or of one alone. What lies within 1e-4 of the way

@@ -5,8 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <limits>
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -33,15 +31,14 @@ void pass_fronts(const RTCFilterFunctionNArguments* args) {
 }
 
 /// leaving: only what leaves the triangles is blocked.
-bool attach(RTCDevice device, RTCScene scene, std::optional<unsigned> id, const std::vector<Vec3>& positions,
-            const Triangles& triangles, const Mat4& world_from_object, bool leaving) {
+bool attach(RTCDevice device, RTCScene scene, const std::vector<Vec3>& positions, const Triangles& triangles,
+            const Mat4& world_from_object, bool leaving) {
   if (triangles.empty()) return true;
   RTCGeometry geometry = triangle_geometry(device, positions, triangles, world_from_object);
   if (geometry == nullptr) return false;
   if (leaving) rtcSetGeometryOccludedFilterFunction(geometry, pass_fronts);
   rtcCommitGeometry(geometry);
-  if (id) rtcAttachGeometryByID(scene, geometry, *id);
-  if (!id) rtcAttachGeometry(scene, geometry);
+  rtcAttachGeometry(scene, geometry);
   rtcReleaseGeometry(geometry);
   return true;
 }
@@ -50,24 +47,35 @@ bool attach(RTCDevice device, RTCScene scene, std::optional<unsigned> id, const 
 
 class RaySceneImpl {
  public:
-  RaySceneImpl() : device_(rtcNewDevice(nullptr)), blocking_(device_ != nullptr ? rtcNewScene(device_) : nullptr) {}
+  RaySceneImpl() : device_(rtcNewDevice(nullptr)), scene_(device_ != nullptr ? rtcNewScene(device_) : nullptr) {}
   RaySceneImpl(const RaySceneImpl&) = delete;
   RaySceneImpl& operator=(const RaySceneImpl&) = delete;
   ~RaySceneImpl() {
-    if (seen_ != nullptr) rtcReleaseScene(seen_);
-    if (blocking_ != nullptr) rtcReleaseScene(blocking_);
+    if (scene_ != nullptr) rtcReleaseScene(scene_);
     if (device_ != nullptr) rtcReleaseDevice(device_);
   }
 
   bool build(const Scene& scene) {
-    if (blocking_ == nullptr) return false;
-    const bool stands_in =
-        std::any_of(scene.objects.begin(), scene.objects.end(), [](const Object& o) { return o.shadow_mesh >= 0; });
-    if (!build_blocking(scene, stands_in)) return false;
-    if (stands_in) {
-      seen_ = rtcNewScene(device_);
-      if (seen_ == nullptr || !build_seen(scene, seen_)) return false;
+    if (scene_ == nullptr) return false;
+    // Robust: rays do not slip through the edges that triangles share.
+    rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
+    for (const Object& object : scene.objects) {
+      shadow_slack_.push_back(0.0F);
+      const Mesh& mesh = scene.meshes[static_cast<std::size_t>(object.blocking_mesh())];
+      const Mat4& place = object.world_from_object;
+      if (object.shadow_mesh < 0) {
+        if (!attach(device_, scene_, mesh.positions, mesh.triangles, place, false)) return false;
+        continue;
+      }
+      ShadowCaster caster = shadow_caster(mesh);
+      shadow_slack_.back() = world_slack(caster, place);
+      if (glm::determinant(Mat3(place)) < 0.0F) {
+        for (auto& [a, b, c] : caster.closed) std::swap(b, c);
+      }
+      if (!attach(device_, scene_, caster.positions, caster.closed, place, true)) return false;
+      if (!attach(device_, scene_, caster.positions, caster.open, place, false)) return false;
     }
+    rtcCommitScene(scene_);
     return rtcGetDeviceError(device_) == RTC_ERROR_NONE;
   }
 
@@ -91,68 +99,14 @@ class RaySceneImpl {
     RTCIntersectContext context;
     rtcInitIntersectContext(&context);
     context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
-    rtcOccluded16(valid.data(), blocking_, &context, &rays);
+    rtcOccluded16(valid.data(), scene_, &context, &rays);
     // Embree marks a blocked ray with tfar = -inf.
     for (std::size_t i = 0; i < segments.size(); ++i) blocked[i] = valid[i] != 0 && rays.tfar[i] < 0.0F ? 1 : 0;
   }
 
-  [[nodiscard]] RayHit closest(const Ray& ray) const {
-    if (!is_finite(ray.origin) || !is_finite(ray.direction)) return {};
-    RTCRayHit query{};
-    query.ray.org_x = ray.origin.x, query.ray.org_y = ray.origin.y, query.ray.org_z = ray.origin.z;
-    query.ray.dir_x = ray.direction.x, query.ray.dir_y = ray.direction.y, query.ray.dir_z = ray.direction.z;
-    query.ray.tfar = std::numeric_limits<float>::infinity();
-    query.ray.mask = 0xFFFFFFFFU;
-    query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-    RTCIntersectContext context;
-    rtcInitIntersectContext(&context);
-    rtcIntersect1(seen_ != nullptr ? seen_ : blocking_, &context, &query);
-    if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
-    return {query.ray.tfar, query.hit.geomID, query.hit.primID, query.hit.u, query.hit.v};
-  }
-
  private:
-  /// What the camera sees; geometries have the numbers of their objects.
-  bool build_seen(const Scene& scene, RTCScene into) {
-    // Robust: rays do not slip through the edges that triangles share.
-    rtcSetSceneFlags(into, RTC_SCENE_FLAG_ROBUST);
-    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-      const Object& object = scene.objects[i];
-      const Mesh& mesh = scene.meshes[static_cast<std::size_t>(object.mesh)];
-      const auto id = static_cast<unsigned>(i);
-      if (!attach(device_, into, id, mesh.positions, mesh.triangles, object.world_from_object, false)) return false;
-    }
-    rtcCommitScene(into);
-    return true;
-  }
-
-  bool build_blocking(const Scene& scene, bool stands_in) {
-    shadow_slack_.assign(scene.objects.size(), 0.0F);
-    if (!stands_in) return build_seen(scene, blocking_);
-    rtcSetSceneFlags(blocking_, RTC_SCENE_FLAG_ROBUST);
-    for (std::size_t i = 0; i < scene.objects.size(); ++i) {
-      const Object& object = scene.objects[i];
-      const Mesh& mesh = scene.meshes[static_cast<std::size_t>(object.blocking_mesh())];
-      const Mat4& place = object.world_from_object;
-      if (object.shadow_mesh < 0) {
-        if (!attach(device_, blocking_, {}, mesh.positions, mesh.triangles, place, false)) return false;
-        continue;
-      }
-      ShadowCaster caster = shadow_caster(mesh);
-      shadow_slack_[i] = world_slack(caster, place);
-      if (glm::determinant(Mat3(place)) < 0.0F) {
-        for (auto& [a, b, c] : caster.closed) std::swap(b, c);
-      }
-      if (!attach(device_, blocking_, {}, caster.positions, caster.closed, place, true)) return false;
-      if (!attach(device_, blocking_, {}, caster.positions, caster.open, place, false)) return false;
-    }
-    rtcCommitScene(blocking_);
-    return true;
-  }
-
   RTCDevice device_;
-  RTCScene blocking_;
-  RTCScene seen_ = nullptr;          ///< null where nothing stands in for another: what blocks is what is seen
+  RTCScene scene_;
   std::vector<float> shadow_slack_;  ///< [objects]
 };
 
@@ -169,10 +123,6 @@ Result<RayScene> RayScene::create(const Scene& scene) {
 
 float RayScene::shadow_slack(std::size_t object) const {
   return impl_->shadow_slack(object);
-}
-
-RayHit RayScene::closest(const Ray& ray) const {
-  return impl_->closest(ray);
 }
 
 void RayScene::occluded(std::span<const Segment> segments, std::span<unsigned char> blocked) const {

@@ -1,7 +1,5 @@
 #pragma once
 // rays/ray_scene.h -- who sees whom: exact visibility on the scene's triangles (Embree).
-#include <cstdint>
-#include <limits>
 #include <memory>
 #include <span>
 
@@ -18,27 +16,8 @@ struct Segment {
   Vec3 to;
 };
 
-/// From a point in a direction of any length; distances are measured in that length.
-struct Ray {
-  Vec3 origin;
-  Vec3 direction;
-};
-
-/// The first triangle that a ray meets, from either side.
-struct RayHit {
-  static constexpr std::uint32_t kNothing = 0xFFFFFFFFU;
-  float distance = std::numeric_limits<float>::infinity();  ///< > 0, in lengths of the ray's direction
-  std::uint32_t object = kNothing;                          ///< index of the scene's object
-  std::uint32_t triangle = 0;                               ///< of the object's own mesh
-  float u = 0.0F;                                           ///< weight of the triangle's second corner
-  float v = 0.0F;                                           ///< and of its third
-
-  [[nodiscard]] bool hit() const { return object != kNothing; }
-};
-
-/// The triangles of a scene, indexed: those that are seen, and those that block light, of shadow meshes as
-/// prep/shadow_caster.h says, for light that comes from `from`. Copies what it needs. Movable. thread any, const calls
-/// are concurrent.
+/// The triangles of a scene that block light, indexed; those of shadow meshes as prep/shadow_caster.h says, for light
+/// that comes from `from`. Copies what it needs. Movable. thread any, const calls are concurrent.
 class RaySceneImpl;
 class RayScene {
  public:
@@ -54,10 +33,6 @@ class RayScene {
 
   /// world_slack() of the mesh that blocks light in an object's stead; 0 if its own does.
   [[nodiscard]] float shadow_slack(std::size_t object) const;
-
-  /// What the ray meets first. Same ray, same bits. A ray that is not finite meets nothing. cost about 150 ns a ray and
-  /// core on 70k triangles.
-  [[nodiscard]] RayHit closest(const Ray& ray) const;
 
  private:
   explicit RayScene(std::unique_ptr<RaySceneImpl> impl);

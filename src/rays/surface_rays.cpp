@@ -55,11 +55,11 @@ class SurfaceRaysImpl {
     return rtcGetDeviceError(device_) == RTC_ERROR_NONE;
   }
 
-  [[nodiscard]] std::optional<SurfaceHit> first(const SurfaceRay& ray, int only) const {
-    if (!is_finite(ray.origin) || !is_finite(ray.way)) return std::nullopt;
+  [[nodiscard]] RayHit first(const Ray& ray, int only) const {
+    if (!is_finite(ray.origin) || !is_finite(ray.direction)) return {};
     RTCRayHit query{};
     query.ray.org_x = ray.origin.x, query.ray.org_y = ray.origin.y, query.ray.org_z = ray.origin.z;
-    query.ray.dir_x = ray.way.x, query.ray.dir_y = ray.way.y, query.ray.dir_z = ray.way.z;
+    query.ray.dir_x = ray.direction.x, query.ray.dir_y = ray.direction.y, query.ray.dir_z = ray.direction.z;
     query.ray.tnear = ray.least, query.ray.tfar = ray.most;
     query.ray.mask = 0xFFFFFFFFU;
     query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
@@ -68,10 +68,8 @@ class SurfaceRaysImpl {
     rtcInitIntersectContext(&asked.context);
     asked.only = only;
     rtcIntersect1(scene_, &asked.context, &query);
-    if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
-    const float u = query.hit.u;
-    const float v = query.hit.v;
-    return SurfaceHit{static_cast<int>(query.hit.geomID), query.hit.primID, Vec3(1.0F - u - v, u, v), query.ray.tfar};
+    if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return {};
+    return {query.ray.tfar, query.hit.geomID, query.hit.primID, query.hit.u, query.hit.v};
   }
 
  private:
@@ -90,7 +88,7 @@ Result<SurfaceRays> SurfaceRays::create(const Scene& scene) {
   return SurfaceRays(std::move(impl));
 }
 
-std::optional<SurfaceHit> SurfaceRays::first(const SurfaceRay& ray, int only) const {
+RayHit SurfaceRays::first(const Ray& ray, int only) const {
   return impl_->first(ray, only);
 }
 

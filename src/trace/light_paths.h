@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "rays/ray_scene.h"
+#include "rays/surface_rays.h"
 #include "trace/reflection.h"
 
 namespace luminist {

@@ -56,6 +56,8 @@ Result<PathTracer> PathTracer::create(Scene scene, const Camera& camera, int wid
   PathTracer tracer;
   LUM_TRY(RayScene rays, RayScene::create(scene));
   tracer.rays_ = std::make_unique<const RayScene>(std::move(rays));
+  LUM_TRY(SurfaceRays seen, SurfaceRays::create(scene));
+  tracer.seen_ = std::make_unique<const SurfaceRays>(std::move(seen));
   tracer.surfaces_ = std::make_unique<const SceneSurfaces>(std::move(scene));
   tracer.emitters_ = std::make_unique<const MeshEmitters>(*tracer.surfaces_);
   tracer.world_from_camera_ = camera.world_from_camera;
@@ -84,7 +86,7 @@ void PathTracer::trace(std::uint32_t pixel, std::uint32_t sample, const PathOpti
   walk.here.way_throughput = Vec3(1.0F);
   bool more = true;
   while (more) {
-    const RayHit hit = rays_->closest({walk.here.position, walk.here.way});
+    const RayHit hit = seen_->first({walk.here.position, walk.here.way});
     walk.here.way_length = hit.distance;
     paths.vertices.push_back(walk.here);
     more = arrive(walk, hit);
@@ -183,7 +185,7 @@ SurfaceBuffer PathTracer::surface_buffer() const {
   tbb::parallel_for(0, height_, [&](int y) {
     for (int x = 0; x < width_; ++x) {
       const Ray ray = eye_ray(Vec2(static_cast<float>(x) + 0.5F, static_cast<float>(y) + 0.5F));
-      const RayHit hit = rays_->closest(ray);
+      const RayHit hit = seen_->first(ray);
       if (!hit.hit()) continue;
       const SurfacePoint point = surfaces_->at(hit, ray.direction);
       const std::size_t i = buffer.index(x, y);

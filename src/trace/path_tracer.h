@@ -4,6 +4,8 @@
 #include <memory>
 
 #include "base/result.h"
+#include "rays/ray_scene.h"
+#include "rays/surface_rays.h"
 #include "render/surface_buffer.h"
 #include "scene/scene.h"
 #include "trace/light_paths.h"
@@ -51,7 +53,8 @@ class PathTracer {
   [[nodiscard]] bool survives(const Walk& walk, PathVertex& vertex, float chance) const;
 
   std::unique_ptr<const SceneSurfaces> surfaces_;
-  std::unique_ptr<const RayScene> rays_;
+  std::unique_ptr<const RayScene> rays_;     ///< what blocks light
+  std::unique_ptr<const SurfaceRays> seen_;  ///< what paths meet
   std::unique_ptr<const MeshEmitters> emitters_;
   Mat4 world_from_camera_{1.0F};
   Vec2 half_extent_{1.0F};  ///< tangents of half the angles of view

@@ -4,7 +4,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "rays/ray_scene.h"
+#include "rays/surface_rays.h"
 #include "scene/scene.h"
 
 namespace luminist {

@@ -103,8 +103,8 @@ class AnchoredStrokeTest : public ::testing::Test {
           if (coverage.at(x, y) < kPaintEdge) continue;
           const StrokePoint middle{(static_cast<float>(x) + 0.5F) / kHeight, (static_cast<float>(y) + 0.5F) / kHeight};
           const auto hit = seen.at(middle, 0);
-          if (!hit) continue;
-          places.push_back(blend(seen.corners(0, hit->triangle), hit->weights));
+          if (!hit.hit()) continue;
+          places.push_back(blend(seen.corners(0, hit.triangle), hit.weights()));
         }
       }
     }
@@ -144,10 +144,10 @@ TEST_F(AnchoredStrokeTest, FollowsABallThatMovesAndTurns) {
   ASSERT_EQ(there.pieces[0].points.size(), anchors.points.size());
   for (std::size_t i = 0; i < anchors.points.size(); ++i) {
     const auto hit = seen.at(there.pieces[0].points[i]);
-    ASSERT_TRUE(hit);
+    ASSERT_TRUE(hit.hit());
     const AnchoredPoint& point = anchors.points[i];
     const Vec3 wanted = blend(seen.corners(0, point.triangle), point.weights);
-    EXPECT_LT(glm::distance(blend(seen.corners(0, hit->triangle), hit->weights), wanted), 1e-4F);  // single precision
+    EXPECT_LT(glm::distance(blend(seen.corners(0, hit.triangle), hit.weights()), wanted), 1e-4F);  // single precision
   }
 }
 

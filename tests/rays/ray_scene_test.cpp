@@ -6,6 +6,7 @@
 #include <limits>
 #include <random>
 
+#include "rays/surface_rays.h"
 #include "support/fixtures.h"
 
 namespace luminist {
@@ -104,13 +105,13 @@ TEST(RayScene, TakesSegmentsThatAreNotFiniteOrHaveNoLengthAsFree) {
   EXPECT_EQ(blocked(rays, {0.0F, 0.0F, 1.0F}, {0.0F, 0.0F, 1.0F}), 0);
 }
 
-TEST(RayScene, TheClosestHitNamesObjectTriangleAndPlace) {
+TEST(SurfaceRays, TheClosestHitNamesObjectTriangleAndPlace) {
   Scene scene = square_scene(1.0F, Mat4(1.0F));
   Object behind = scene.objects.front();
   behind.world_from_object[3] = Vec4(0.0F, 0.0F, -1.0F, 1.0F);
   scene.objects.insert(scene.objects.begin(), behind);
-  LUM_ASSERT_OK(const RayScene rays, RayScene::create(scene));
-  const RayHit hit = rays.closest({{0.5F, -0.5F, 3.0F}, {0.0F, 0.0F, -2.0F}});
+  LUM_ASSERT_OK(const SurfaceRays rays, SurfaceRays::create(scene));
+  const RayHit hit = rays.first({{0.5F, -0.5F, 3.0F}, {0.0F, 0.0F, -2.0F}});
   ASSERT_TRUE(hit.hit());
   EXPECT_EQ(hit.object, 1U) << "the nearer one, by its place in the scene";
   EXPECT_EQ(hit.triangle, 0U);
@@ -118,8 +119,8 @@ TEST(RayScene, TheClosestHitNamesObjectTriangleAndPlace) {
   // p = (1 - u - v) p0 + u p1 + v p2 with p0 = (-1, -1), p1 = (1, -1), p2 = (1, 1).
   EXPECT_NEAR(-1.0F + 2.0F * (hit.u + hit.v), 0.5F, 1e-6F);
   EXPECT_NEAR(-1.0F + 2.0F * hit.v, -0.5F, 1e-6F);
-  EXPECT_FALSE(rays.closest({{3.0F, 0.0F, 3.0F}, {0.0F, 0.0F, -1.0F}}).hit());
-  EXPECT_FALSE(rays.closest({{0.0F, 0.0F, 3.0F}, {0.0F, 0.0F, std::nanf("")}}).hit());
+  EXPECT_FALSE(rays.first({{3.0F, 0.0F, 3.0F}, {0.0F, 0.0F, -1.0F}}).hit());
+  EXPECT_FALSE(rays.first({{0.0F, 0.0F, 3.0F}, {0.0F, 0.0F, std::nanf("")}}).hit());
 }
 
 TEST(RayScene, AnEmptySceneBlocksNothing) {

@@ -30,7 +30,7 @@ Scene two_squares() {
   return scene;
 }
 
-SurfaceRay down_at(float x, float y) {
+Ray down_at(float x, float y) {
   return {{x, y, 3.0F}, {0.0F, 0.0F, -2.0F}, 0.0F, 10.0F};
 }
 
@@ -38,12 +38,12 @@ TEST(SurfaceRays, MeetTheNearestObjectAndSayWhereOnItsMesh) {
   const Scene scene = two_squares();
   LUM_ASSERT_OK(const SurfaceRays rays, SurfaceRays::create(scene));
   const auto hit = rays.first(down_at(1.0F, 0.5F));
-  ASSERT_TRUE(hit);
-  EXPECT_EQ(hit->object, 1);
-  EXPECT_FLOAT_EQ(hit->t, 1.0F);  // in lengths of the way
+  ASSERT_TRUE(hit.hit());
+  EXPECT_EQ(hit.object, 1U);
+  EXPECT_FLOAT_EQ(hit.distance, 1.0F);  // in lengths of the way
   Vec3 place(0.0F);
   for (int corner = 0; corner < 3; ++corner) {
-    place += hit->weights[corner] * scene.meshes[0].positions[scene.meshes[0].triangles[hit->triangle][corner]];
+    place += hit.weights()[corner] * scene.meshes[0].positions[scene.meshes[0].triangles[hit.triangle][corner]];
   }
   EXPECT_NEAR(place.x, 0.5F, 1e-6F);  // single precision
   EXPECT_NEAR(place.y, 0.25F, 1e-6F);
@@ -52,21 +52,21 @@ TEST(SurfaceRays, MeetTheNearestObjectAndSayWhereOnItsMesh) {
 TEST(SurfaceRays, PassThroughTheObjectsThatAreNotAskedFor) {
   LUM_ASSERT_OK(const SurfaceRays rays, SurfaceRays::create(two_squares()));
   const auto hit = rays.first(down_at(0.5F, 0.5F), 0);
-  ASSERT_TRUE(hit);
-  EXPECT_EQ(hit->object, 0);
-  EXPECT_FLOAT_EQ(hit->t, 1.5F);
-  EXPECT_FALSE(rays.first(down_at(1.5F, 0.5F), 0));
+  ASSERT_TRUE(hit.hit());
+  EXPECT_EQ(hit.object, 0U);
+  EXPECT_FLOAT_EQ(hit.distance, 1.5F);
+  EXPECT_FALSE(rays.first(down_at(1.5F, 0.5F), 0).hit());
 }
 
 TEST(SurfaceRays, MeetBothSidesAndNothingBeyondTheirEnds) {
   LUM_ASSERT_OK(const SurfaceRays rays, SurfaceRays::create(two_squares()));
-  EXPECT_TRUE(rays.first({{0.0F, 0.1F, -3.0F}, {0.0F, 0.0F, 1.0F}, 0.0F, 10.0F}));
-  EXPECT_FALSE(rays.first({{0.0F, 0.1F, -3.0F}, {0.0F, 0.0F, 1.0F}, 0.0F, 2.9F}));
+  EXPECT_TRUE(rays.first({{0.0F, 0.1F, -3.0F}, {0.0F, 0.0F, 1.0F}, 0.0F, 10.0F}).hit());
+  EXPECT_FALSE(rays.first({{0.0F, 0.1F, -3.0F}, {0.0F, 0.0F, 1.0F}, 0.0F, 2.9F}).hit());
   const auto past_near = rays.first({{0.0F, 0.1F, 3.0F}, {0.0F, 0.0F, -1.0F}, 2.5F, 10.0F});
-  ASSERT_TRUE(past_near);
-  EXPECT_EQ(past_near->object, 0);
+  ASSERT_TRUE(past_near.hit());
+  EXPECT_EQ(past_near.object, 0U);
   const float nan = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_FALSE(rays.first({{nan, 0.0F, 3.0F}, {0.0F, 0.0F, -1.0F}, 0.0F, 10.0F}));
+  EXPECT_FALSE(rays.first({{nan, 0.0F, 3.0F}, {0.0F, 0.0F, -1.0F}, 0.0F, 10.0F}).hit());
 }
 
 TEST(SurfaceRays, SeeTheMeshAndNotTheOneThatCastsItsShadow) {
@@ -77,8 +77,8 @@ TEST(SurfaceRays, SeeTheMeshAndNotTheOneThatCastsItsShadow) {
   scene.objects[1].shadow_mesh = 1;
   LUM_ASSERT_OK(const SurfaceRays rays, SurfaceRays::create(scene));
   const auto hit = rays.first(down_at(1.0F, 1.0F));
-  ASSERT_TRUE(hit);
-  EXPECT_EQ(hit->object, 1);
+  ASSERT_TRUE(hit.hit());
+  EXPECT_EQ(hit.object, 1U);
 }
 
 }  // namespace
