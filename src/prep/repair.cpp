@@ -282,11 +282,7 @@ Mesh with_surface(const Mesh& mesh, const WeldedMesh& surface) {
   for (std::size_t v = 0; v < index.size(); ++v) {
     if (!index[v]) continue;
     index[v] = static_cast<std::uint32_t>(result.positions.size());
-    result.positions.push_back(mesh.positions[v]);
-    result.normals.push_back(mesh.normals[v]);
-    if (!mesh.uvs.empty()) result.uvs.push_back(mesh.uvs[v]);
-    if (!mesh.tangents.empty()) result.tangents.push_back(mesh.tangents[v]);
-    if (!mesh.line_widths.empty()) result.line_widths.push_back(mesh.line_widths[v]);
+    result.append_vertex(mesh, v);
   }
   for (const Triangle& corners : surface.corners) {
     result.triangles.push_back({*index[corners[0]], *index[corners[1]], *index[corners[2]]});

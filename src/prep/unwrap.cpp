@@ -56,11 +56,7 @@ class Assembly {
 
  private:
   void add_vertex(std::uint32_t vertex, const glm::dvec2& strokes, const glm::dvec2& atlas) {
-    Mesh& to = result_.mesh;
-    to.positions.push_back(mesh_->positions[vertex]);
-    to.normals.push_back(mesh_->normals[vertex]);
-    if (!mesh_->uvs.empty()) to.uvs.push_back(mesh_->uvs[vertex]);
-    if (!mesh_->tangents.empty()) to.tangents.push_back(mesh_->tangents[vertex]);
+    result_.mesh.append_vertex(*mesh_, vertex);
     result_.strokes.emplace_back(strokes);
     result_.atlas.emplace_back(atlas);
   }

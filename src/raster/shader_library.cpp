@@ -154,6 +154,8 @@ Result<std::vector<SourceChunk>> relight_source(const RelightLayout& layout, con
     chunks.push_back(std::move(chunk));
   }
   chunks.push_back(lights_chunk(blocks, types));
+  LUM_TRY(SourceChunk diffuse, load_chunk(roots, "shaders/lib/diffuse.glsl"));
+  chunks.push_back(std::move(diffuse));
   chunks.push_back(textures_chunk(style));
   for (const std::string* path : {&style.glsl_path, &style.ink_path}) {
     if (path->empty()) continue;

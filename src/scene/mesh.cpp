@@ -119,11 +119,7 @@ void split_vertices(Mesh& mesh, GroupOf group_of, OnVertex on_vertex) {
     const std::size_t known = copies.size();
     const std::uint32_t vertex = first_copy + copies.add({index, group, 0});
     if (copies.size() > known) {
-      mesh.positions.push_back(Vec3(mesh.positions[index]));
-      if (!mesh.normals.empty()) mesh.normals.push_back(Vec3(mesh.normals[index]));
-      if (!mesh.uvs.empty()) mesh.uvs.push_back(Vec2(mesh.uvs[index]));
-      if (!mesh.tangents.empty()) mesh.tangents.push_back(Vec4(mesh.tangents[index]));
-      if (!mesh.line_widths.empty()) mesh.line_widths.push_back(float(mesh.line_widths[index]));
+      mesh.append_vertex(mesh, index);
       on_vertex(vertex, corner);
     }
     index = vertex;
@@ -147,6 +143,18 @@ std::vector<std::uint32_t> places_of(const std::vector<Vec3>& positions) {
     places.push_back(index.add({whole(q.x), whole(q.y), whole(q.z)}));
   }
   return places;
+}
+
+void Mesh::append_vertex(const Mesh& from, std::size_t vertex) {
+  // By value: the vertex may be of this mesh, whose arrays move as they grow.
+  const auto append = [vertex](auto& to, const auto& values) {
+    if (!values.empty()) to.push_back(typename std::decay_t<decltype(values)>::value_type(values[vertex]));
+  };
+  append(positions, from.positions);
+  append(normals, from.normals);
+  append(uvs, from.uvs);
+  append(tangents, from.tangents);
+  append(line_widths, from.line_widths);
 }
 
 Box Mesh::bounds() const {

@@ -18,6 +18,8 @@ struct Mesh {
   std::vector<float> line_widths;  ///< 0 to 1, share of an outline's width there; the alpha of vertex colours
   std::vector<std::array<std::uint32_t, 3>> triangles;
 
+  /// A vertex of a mesh with the same attributes, this one included, as the last one.
+  void append_vertex(const Mesh& from, std::size_t vertex);
   [[nodiscard]] Box bounds() const;
   /// The length of a triangle's side in the mean; 0 without triangles.
   [[nodiscard]] float mean_side() const;

@@ -23,22 +23,14 @@ void drop_unused_vertices(Mesh& mesh) {
   for (const auto& t : mesh.triangles) {
     for (const std::uint32_t index : t) renamed[index] = index;
   }
-  std::uint32_t kept = 0;
-  for (std::uint32_t i = 0; i < renamed.size(); ++i) {
+  Mesh used;
+  for (std::size_t i = 0; i < renamed.size(); ++i) {
     if (renamed[i] == kUnused) continue;
-    mesh.positions[kept] = mesh.positions[i];
-    if (!mesh.normals.empty()) mesh.normals[kept] = mesh.normals[i];
-    if (!mesh.uvs.empty()) mesh.uvs[kept] = mesh.uvs[i];
-    if (!mesh.tangents.empty()) mesh.tangents[kept] = mesh.tangents[i];
-    if (!mesh.line_widths.empty()) mesh.line_widths[kept] = mesh.line_widths[i];
-    renamed[i] = kept++;
+    renamed[i] = static_cast<std::uint32_t>(used.positions.size());
+    used.append_vertex(mesh, i);
   }
-  mesh.positions.resize(kept);
-  if (!mesh.normals.empty()) mesh.normals.resize(kept);
-  if (!mesh.uvs.empty()) mesh.uvs.resize(kept);
-  if (!mesh.tangents.empty()) mesh.tangents.resize(kept);
-  if (!mesh.line_widths.empty()) mesh.line_widths.resize(kept);
-  for (auto& t : mesh.triangles) t = {renamed[t[0]], renamed[t[1]], renamed[t[2]]};
+  for (const auto& t : mesh.triangles) used.triangles.push_back({renamed[t[0]], renamed[t[1]], renamed[t[2]]});
+  mesh = std::move(used);
 }
 
 Vec3 area_vector(const Mesh& mesh, const std::array<std::uint32_t, 3>& t) {

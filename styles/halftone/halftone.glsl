@@ -24,12 +24,7 @@ float screened(vec2 place, float degrees, float ink) {
 }
 
 vec3 shade(Surface s) {
-  vec3 light_there = ambient();
-  for (int i = 0; i < light_count(); ++i) {
-    LightSample l = light(i, s);
-    light_there += l.color * l.visibility * max(dot(s.normal, l.direction), 0.0);
-  }
-  vec3 tone = s.emissive + light_there * mix(vec3(1.0), s.albedo, style.albedo);
+  vec3 tone = s.emissive + diffuse_light(s) * mix(vec3(1.0), s.albedo, style.albedo);
   tone = pow(clamp(tone / kLevels, vec3(0.0), vec3(1.0)), vec3(max(style.contrast, 0.05)));
   if (style.inks == 0) {
     float ink = screened(s.screen, style.angle, 1.0 - luminance(tone));

@@ -46,12 +46,7 @@ float hatched(Surface s, float darkness) {
 }
 
 vec3 shade(Surface s) {
-  vec3 light_there = ambient();
-  for (int i = 0; i < light_count(); ++i) {
-    LightSample l = light(i, s);
-    light_there += l.color * l.visibility * max(dot(s.normal, l.direction), 0.0);
-  }
-  vec3 tone = s.emissive + light_there * mix(vec3(1.0), s.albedo, style.albedo);
+  vec3 tone = s.emissive + diffuse_light(s) * mix(vec3(1.0), s.albedo, style.albedo);
   float white = pow(clamp(luminance(tone) / kLevels, 0.0, 1.0), max(style.contrast, 0.05));
   float ink = hatched(s, saturate(style.darkest) * (1.0 - white));
   vec3 color = mix(style.ink, 0.7 * s.albedo, style.tint);

@@ -118,6 +118,7 @@ TEST_P(UnwrapOfAnyMesh, KeepsTheAreaOfTheSurfaceAndAllAttributes) {
   Mesh mesh = GetParam().mesh;
   for (const Vec3& p : mesh.positions) mesh.uvs.emplace_back(p.x, p.y);
   for (const Vec3& p : mesh.positions) mesh.tangents.emplace_back(p, 1.0F);
+  for (const Vec3& p : mesh.positions) mesh.line_widths.push_back(p.x);
   const Unwrapped unwrapped = unwrap(mesh);
   double flat = 0.0;
   for (const auto& t : unwrapped.mesh.triangles) flat += 0.5 * doubled_area(unwrapped.strokes, t);
@@ -126,9 +127,11 @@ TEST_P(UnwrapOfAnyMesh, KeepsTheAreaOfTheSurfaceAndAllAttributes) {
   ASSERT_EQ(unwrapped.mesh.normals.size(), unwrapped.mesh.positions.size());
   ASSERT_EQ(unwrapped.mesh.uvs.size(), unwrapped.mesh.positions.size());
   ASSERT_EQ(unwrapped.mesh.tangents.size(), unwrapped.mesh.positions.size());
+  ASSERT_EQ(unwrapped.mesh.line_widths.size(), unwrapped.mesh.positions.size());
   for (std::size_t v = 0; v < unwrapped.mesh.positions.size(); ++v) {
     EXPECT_EQ(unwrapped.mesh.tangents[v], Vec4(unwrapped.mesh.positions[v], 1.0F));
     EXPECT_EQ(unwrapped.mesh.uvs[v], Vec2(unwrapped.mesh.positions[v]));
+    EXPECT_EQ(unwrapped.mesh.line_widths[v], unwrapped.mesh.positions[v].x);
   }
 }
 
