@@ -95,8 +95,7 @@ Result<int> solve_together(const SolveWords& words, const std::vector<Style>& st
     SolveWords own = words_for(words, style, styles);
     if (!views.empty()) {
       // Words about lights that only the first session has: their locks come with its rig.
-      own.paint.new_lights = 0;
-      own.shot.link.clear();
+      own.paint.shares_lights = true;
       own.shot.constrain.clear();
       std::erase_if(own.locks.ordered, [](const auto& lock) { return lock.first.rfind("style/", 0) != 0; });
     }

@@ -63,8 +63,7 @@ Result<ViewWords> words_for(const SolveWords& words, const std::string& text, st
   if (own.contains("paint")) view.solve.paint.strokes = own.at("paint");
   if (index == 0) return view;
   // Words about lights that only the first session has: their locks come with its rig.
-  view.solve.paint.new_lights = 0;
-  view.solve.shot.link.clear();
+  view.solve.paint.shares_lights = true;
   view.solve.shot.constrain.clear();
   view.solve.locks.ordered.clear();
   return view;

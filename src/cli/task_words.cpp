@@ -120,6 +120,7 @@ Result<void> link_and_paint(Session& session, const PaintWords* paint, const std
   LUM_TRY(const std::vector<std::string> later, link_known(session, links));
   if (paint != nullptr) {
     LUM_TRY_VOID(put_target(session, *paint, roots));
+    if (paint->shares_lights) return {};
     LUM_TRY_VOID(add_new_lights(session, *paint));
   }
   return link_all(session, later);

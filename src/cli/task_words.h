@@ -25,6 +25,7 @@ struct PaintWords {
   std::string importance;
   int new_lights = 0;
   NewLight light;
+  bool shares_lights = false;  ///< of another session: none are added, and words about those it adds are passed over
 };
 void declare_paint_words(CLI::App& app, PaintWords& words);
 /// errors kUsage for words that do not go together. Costs nothing, so it comes before anything is loaded.

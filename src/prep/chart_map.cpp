@@ -80,6 +80,7 @@ std::optional<std::vector<glm::dvec2>> map_disc(const Disc& disc, ChartMethod me
   try {
     switch (method) {
       case ChartMethod::kRigid:
+      case ChartMethod::kAligned:
       case ChartMethod::kArap:
         break;
       case ChartMethod::kLscm:

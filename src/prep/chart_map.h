@@ -10,6 +10,7 @@ namespace luminist {
 /// How a chart was flattened.
 enum class ChartMethod {
   kRigid,      ///< one triangle: no distortion at all
+  kAligned,    ///< turned to the strokes everywhere, from one of the next
   kArap,       ///< as rigid as possible, from one of the next (Liu et al. 2008)
   kLscm,       ///< least squares conformal, free border (Levy et al. 2002)
   kMeanValue,  ///< onto a circle, cannot flip (Floater 2003)
@@ -18,13 +19,19 @@ enum class ChartMethod {
 const char* name_of(ChartMethod method);  ///< "lscm"
 
 /// A place in the plane for every point of a disc, at any scale; nothing where the linear system fails. thread any.
-/// cost about 12 us a triangle. source CGAL, Surface_mesh_parameterization. method: any but kArap.
+/// cost about 12 us a triangle. source CGAL, Surface_mesh_parameterization. method: any but kAligned and kArap.
 std::optional<std::vector<glm::dvec2>> map_disc(const Disc& disc, ChartMethod method);
 
 /// Places from which lengths are kept better: a few steps of turning every triangle rigidly into its place and solving
 /// for the points between them. May flip what did not. places at the scale of the surface. cost about 8 us a triangle.
 /// source Liu et al. 2008, section 4.
-std::optional<std::vector<glm::dvec2>> as_rigid_as_possible(const Disc& disc, std::vector<glm::dvec2> places);
+std::optional<std::vector<glm::dvec2>> as_rigid_as_possible(const Disc& disc, const std::vector<glm::dvec2>& places);
+
+/// Places in which every triangle is turned by its angle (radians, counter-clockwise) against how it lies now, as nearly
+/// as its neighbours let it: triangles grow or shrink, up to twofold, to make room, so that turns which are smooth over
+/// the surface come out conformal. May flip what did not. cost as above. source the same with the turns given.
+std::optional<std::vector<glm::dvec2>> with_triangles_turned(const Disc& disc, const std::vector<glm::dvec2>& places,
+                                                             const std::vector<double>& turns);
 
 /// How lengths changed. A linear factor is by how much the plane is longer than the surface in some direction.
 struct Distortion {

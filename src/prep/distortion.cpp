@@ -34,6 +34,8 @@ const char* name_of(ChartMethod method) {
   switch (method) {
     case ChartMethod::kRigid:
       return "rigid";
+    case ChartMethod::kAligned:
+      return "aligned";
     case ChartMethod::kArap:
       return "arap";
     case ChartMethod::kLscm:

@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <map>
+#include <optional>
+#include <queue>
 #include <utility>
 
 namespace luminist {
@@ -15,6 +18,65 @@ struct Attempt {
   std::optional<FlatChart> chart;
   std::vector<glm::dvec2> features;
 };
+
+using Features = std::vector<std::complex<double>>;
+
+std::vector<glm::dvec2> as_vectors(const Features& features) {
+  std::vector<glm::dvec2> vectors;
+  for (const std::complex<double>& feature : features) vectors.emplace_back(feature.real(), feature.imag());
+  return vectors;
+}
+
+/// The triangles beside each one of a disc.
+std::vector<std::vector<std::uint32_t>> neighbours_of(const Disc& disc) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> first;
+  std::vector<std::vector<std::uint32_t>> neighbours(disc.triangles.size());
+  for (std::uint32_t f = 0; f < disc.triangles.size(); ++f) {
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto [a, b] = std::minmax(disc.triangles[f][k], disc.triangles[f][(k + 1) % 3]);
+      const auto [other, is_new] = first.try_emplace({a, b}, f);
+      if (is_new) continue;
+      neighbours[f].push_back(other->second), neighbours[other->second].push_back(f);
+    }
+  }
+  return neighbours;
+}
+
+/// Angles (radians) of doubled directions, of which each lies beside its neighbours': a direction has two angles, and
+/// the choice spreads where neighbours agree best, so that it breaks, if it must, where they do not.
+std::vector<double> angles_of(const Disc& disc, const Features& features) {
+  struct Step {
+    double agreement;
+    std::uint32_t from, to;
+    bool operator<(const Step& other) const { return agreement < other.agreement; }
+  };
+  const auto neighbours = neighbours_of(disc);
+  std::vector<std::optional<double>> angles(features.size());
+  const auto start = std::ranges::max_element(features, {}, [](const auto& z) { return z.real(); });
+  std::priority_queue<Step> steps;
+  const auto visit = [&](std::uint32_t f, double angle) {
+    angles[f] = angle;
+    for (const std::uint32_t next : neighbours[f]) {
+      steps.push({(features[f] * std::conj(features[next])).real(), f, next});
+    }
+  };
+  visit(static_cast<std::uint32_t>(start - features.begin()), 0.5 * std::arg(*start));
+  while (!steps.empty()) {
+    const Step step = steps.top();
+    steps.pop();
+    if (angles[step.to]) continue;
+    const std::complex<double>& feature = features[step.to];
+    double angle = *angles[step.from];
+    if (feature != 0.0) {
+      const double own = 0.5 * std::arg(feature);
+      angle = own + kPi * std::round((angle - own) / kPi);
+    }
+    visit(step.to, angle);
+  }
+  std::vector<double> result;
+  for (const std::optional<double>& angle : angles) result.push_back(angle.value_or(0.0));
+  return result;
+}
 
 double cross(const glm::dvec2& a, const glm::dvec2& b) {
   return a.x * b.y - a.y * b.x;
@@ -33,10 +95,12 @@ class Flattener {
     chart.region = region, chart.disc = *std::move(disc);
     for (const std::uint32_t f : region) chart.area += sides_->areas[f];
     if (!lay(chart)) return {};
-    std::vector<glm::dvec2> features = turn_to_strokes(chart);
+    turn_to_strokes(chart);
+    align(chart);
+    const Features features = features_of(chart);
     const double piece = sides_->piece_areas[sides_->piece[region.front()]];
     const bool is_small = region.size() < 2 || chart.area < limits_.smallest * piece;
-    if (may_divide_for_strokes && !is_small && chart.coherence < limits_.coherence) return {{}, std::move(features)};
+    if (may_divide_for_strokes && !is_small && chart.coherence < limits_.coherence) return {{}, as_vectors(features)};
     return {std::move(chart), {}};
   }
 
@@ -94,26 +158,59 @@ class Flattener {
     return Fate::kGood;
   }
 
-  /// Turns the chart and returns the field's directions on it, doubled, by their confidence, before the turn.
-  std::vector<glm::dvec2> turn_to_strokes(FlatChart& chart) const {
-    std::vector<glm::dvec2> features;
+  /// The field's directions on the chart, doubled, their length the confidence.
+  [[nodiscard]] Features features_of(const FlatChart& chart) const {
+    Features features;
+    for (std::size_t i = 0; i < chart.region.size(); ++i) {
+      const glm::dvec3 direction = direction_on(*field_, *surface_, *sides_, chart.region[i]);
+      const double confidence = glm::length(direction);
+      const std::complex<double> flat = in_plane(chart, i, direction);
+      const double length = std::abs(flat);
+      features.push_back(length > 0.0 ? confidence * flat * flat / (length * length) : std::complex<double>(0.0));
+    }
+    return features;
+  }
+
+  /// Turns the chart so that the mean direction is +x, and says how much directions agree.
+  void turn_to_strokes(FlatChart& chart) const {
+    const Features features = features_of(chart);
     std::complex<double> sum = 0.0;
     double most = 0.0;
-    for (std::size_t i = 0; i < chart.region.size(); ++i) {
-      const std::uint32_t f = chart.region[i];
-      const glm::dvec3 direction = direction_on(*field_, *surface_, *sides_, f);
-      const double confidence = glm::length(direction);
-      std::complex<double> flat = in_plane(chart, i, direction);
-      const double length = std::abs(flat);
-      flat = length > 0.0 ? confidence * flat * flat / (length * length) : std::complex<double>(0.0);
-      features.emplace_back(flat.real(), flat.imag());
-      sum += sides_->areas[f] * flat, most += sides_->areas[f] * std::abs(flat);
+    for (std::size_t i = 0; i < features.size(); ++i) {
+      sum += sides_->areas[chart.region[i]] * features[i];
+      most += sides_->areas[chart.region[i]] * std::abs(features[i]);
     }
     chart.coherence = most > 0.0 ? std::min(std::abs(sum) / most, 1.0) : 1.0;
     const double angle = -0.5 * std::arg(sum);
     const glm::dvec2 turn(std::cos(angle), std::sin(angle));
     for (glm::dvec2& p : chart.places) p = {p.x * turn.x - p.y * turn.y, p.x * turn.y + p.y * turn.x};
-    return features;
+  }
+
+  /// Turns its triangles to the strokes one by one, as far as that leaves the chart whole.
+  void align(FlatChart& chart) const {
+    constexpr double kParallel = 0.97;  // directions are off by ten degrees
+    if (chart.coherence > kParallel) return;
+    const std::vector<double> angles = angles_of(chart.disc, features_of(chart));
+    for (const double share : {1.0, 0.5}) {
+      std::vector<double> turns;
+      for (const double angle : angles) turns.push_back(-share * angle);
+      auto places = with_triangles_turned(chart.disc, chart.places, turns);
+      if (!places) return;
+      FlatChart aligned;
+      aligned.region = chart.region, aligned.disc = chart.disc, aligned.area = chart.area;
+      if (take(aligned, *std::move(places), ChartMethod::kAligned) == Fate::kTorn) continue;
+      turn_to_strokes(aligned);
+      if (aligned.coherence <= chart.coherence || !is_even(aligned.distortion, chart.distortion)) continue;
+      chart = std::move(aligned);
+      return;
+    }
+  }
+
+  /// Whether lengths changed little enough by an alignment. Mending may leave slivers, on which strokes would streak.
+  [[nodiscard]] bool is_even(const Distortion& aligned, const Distortion& before) const {
+    constexpr double kWorst = 8.0;
+    return aligned.stretch <= limits_.aligned_stretch && aligned.worst_area <= std::max(kWorst, before.worst_area) &&
+           aligned.worst_angle <= std::max(kWorst, before.worst_angle);
   }
 
   /// A tangent vector of a triangle as the map carries it.

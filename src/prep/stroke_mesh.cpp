@@ -15,7 +15,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Counts changes of what unwrap() makes of a mesh and of the file: files of others are not found.
-constexpr std::string_view kVersion = "luminist strokes 2\n";
+constexpr std::string_view kVersion = "luminist strokes 3\n";
 constexpr std::uintmax_t kMostBytes = std::uintmax_t{1} << 30U;
 constexpr std::size_t kHashLength = 32;
 

@@ -83,7 +83,7 @@ class Session : private SessionData {
   Result<int> remove_keys(const std::string& pattern);
   /// Looks at the same shot in another style. cost compiling it. errors kStyle, kMissing.
   Result<void> restyle(const std::string& name);
-  /// Its files were written anew. errors those of luminist::reload_style(): the last good version stays.
+  /// Its files were written anew. errors kStyle, kMissing: the last good version stays.
   Result<void> reload_style();
 
   // Paint ----------------------------------------------------------------------------------------------------------

@@ -201,10 +201,17 @@ Result<void> Session::restyle(const std::string& name) {
 }
 
 Result<void> Session::reload_style() {
-  LUM_TRY(ParamState next, luminist::reload_style(*stage_, roots_, state_));
+  Result<ParamState> reloaded = luminist::reload_style(*stage_, roots_, state_);
+  std::unique_ptr<Stage> stage;
+  if (!reloaded && reloaded.error().kind == ErrorKind::kUsage) {
+    LUM_TRY(stage, open_stage(*device_, roots_, shot_, folder_, *diagnostics_, stage_->moving));
+    reloaded = carried_over(state_, stage->style, stage->frame);
+  }
+  LUM_TRY(ParamState next, std::move(reloaded));
   drop_proposal();
   solved_.reset();
   canvas_.reset();
+  if (stage) stage_ = std::move(stage);
   state_ = std::move(next);
   Document document = project_.document();
   document.erase_below("style/");

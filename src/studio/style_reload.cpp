@@ -72,6 +72,12 @@ bool StyleFiles::changed() {
   return true;
 }
 
+ParamState carried_over(const ParamState& state, const Style& style, const SceneFrame& frame) {
+  ParamState next{state.rig, ParamBlock(style.schema, frame)};
+  carry_over(state.style, next.style, frame);
+  return next;
+}
+
 Result<ParamState> reload_style(Stage& stage, const AssetRoots& roots, const ParamState& state) {
   LUM_TRY(Style style, load_style(roots, stage.style.name));
   if (stage.raster == nullptr || style.engine != StyleEngine::kRaster) {
@@ -79,8 +85,7 @@ Result<ParamState> reload_style(Stage& stage, const AssetRoots& roots, const Par
                  "engine", "open the shot again"};
   }
   LUM_TRY_VOID(stage.raster->change_style(style, roots));
-  ParamState next{state.rig, ParamBlock(style.schema, stage.frame)};
-  carry_over(state.style, next.style, stage.frame);
+  ParamState next = carried_over(state, style, stage.frame);
   stage.style = std::move(style);
   return next;
 }

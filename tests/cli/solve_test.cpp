@@ -62,6 +62,18 @@ TEST_F(CliTest, SolvesTheSamePaintInSeveralStylesEachForItself) {
   EXPECT_EQ(read("out/gooch/rig.toml"), read("alone/rig.toml"));
 }
 
+TEST_F(CliTest, EveryViewIsPaintedUnderTheLightsAsTheyAreLinked) {
+  const std::string words = "solve ball.obj --size 64x48 --rig rig.toml --unlock lights/key/color --evals 20 ";
+  const Outcome outcome = luminist(words + "--link 'key=fl*' --view paint=light.json --view paint=light.json -o out");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  ASSERT_EQ(luminist(words + "--paint light.json -o all").status, 0);
+  LUM_ASSERT_OK(const Image first, read_image(folder_.file("out/view_1/target.exr")));
+  LUM_ASSERT_OK(const Image second, read_image(folder_.file("out/view_2/target.exr")));
+  LUM_ASSERT_OK(const Image all, read_image(folder_.file("all/target.exr")));
+  EXPECT_EQ(first.data, second.data);
+  EXPECT_NE(first.data, all.data);  // the ball is dark where it is not painted
+}
+
 TEST_F(CliTest, SolvesForOneRigInSeveralStylesTogether) {
   const std::string styles = std::string(kSolve) + "--style toon,halftone --unlock style/bright --unlock style/paper ";
   const Outcome outcome = luminist(styles + "--together --json -o out");

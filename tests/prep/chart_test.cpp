@@ -94,6 +94,30 @@ TEST(ChartMap, AsRigidAsPossibleUndoesABend) {
   EXPECT_LT(distortion_of(disc, *after).stretch, 1.0 + 0.1 * (before - 1.0)) << "ten steps leave less than a tenth";
 }
 
+TEST(ChartMap, TurnedTrianglesLieConformallyWhereTheTurnsAreHarmonic) {
+  constexpr double kTurn = 0.8;  // radians over the square: exp(0.8 i z) has this angle, and scales from 1 to 0.45
+  constexpr std::uint32_t kSide = 16;
+  const Disc disc = square_disc(kSide);
+  const std::vector<glm::dvec2> flat = as_it_lies(disc);
+  std::vector<double> turns;
+  for (const auto& [a, b, c] : disc.triangles)
+    turns.push_back(kTurn / kSide * (flat[a].x + flat[b].x + flat[c].x) / 3.0);
+  const auto places = with_triangles_turned(disc, flat, turns);
+  ASSERT_TRUE(places);
+  const Distortion distortion = distortion_of(disc, *places);
+  EXPECT_EQ(distortion.flipped, 0U);
+  EXPECT_LT(distortion.angle, 1.06);
+  EXPECT_GT(distortion.area, 1.2) << "there is no rigid answer";
+  for (std::size_t f = 0; f < turns.size(); ++f) {
+    const auto& [a, b, c] = disc.triangles[f];
+    const glm::dmat2 from(flat[b] - flat[a], flat[c] - flat[a]);
+    const glm::dmat2 to((*places)[b] - (*places)[a], (*places)[c] - (*places)[a]);
+    const glm::dvec2 along = to * glm::inverse(from) * glm::dvec2(1.0, 0.0);
+    EXPECT_NEAR(std::atan2(along.y, along.x), turns[f], 0.1)
+        << "scales need room: eight steps leave an eighth of the whole turn";
+  }
+}
+
 TEST(ChartMap, FactorsOfAStretchAndAMirrorImageAreKnown) {
   const std::array<glm::dvec3, 3> triangle{glm::dvec3(0, 0, 1), glm::dvec3(2, 0, 1), glm::dvec3(1, 3, 1)};
   const LinearFactors stretched = factors_of(triangle, {glm::dvec2(0, 0), glm::dvec2(6, 0), glm::dvec2(3, 1.5)});

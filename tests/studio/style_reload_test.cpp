@@ -7,6 +7,7 @@
 #include <string>
 
 #include "render/param_state.h"
+#include "studio/session.h"
 #include "support/fixtures.h"
 
 namespace luminist {
@@ -74,6 +75,28 @@ TEST_F(StyleReloadTest, TheLastGoodVersionStaysWhereTheNewOneHasAMistake) {
   glsl("s.albedo");
   EXPECT_EQ(error_of(reload_style(*stage_, *roots_, *state_)).kind, ErrorKind::kUsage);
   EXPECT_EQ(middle(), before);
+}
+
+TEST_F(StyleReloadTest, ASessionOpensAnotherStageForAVersionThatNeedsOne) {
+  Shot shot;
+  shot.scene = folder_.file("tri.obj");
+  shot.style = "mine";
+  shot.width = shot.height = 16;
+  LUM_ASSERT_OK(const auto session, Session::open(*device_, *roots_, shot, folder_.path(), diagnostics_));
+  LUM_EXPECT_OK(session->set({"style/tint=0.5,0.25,0.5"}));
+  const std::uint64_t stage = session->stage().id;
+  manifest("0.25", "strokes = true\n");
+  glsl("vec3(s.stroke.z > 0.0 ? 0.75 : 0.25)");
+  LUM_EXPECT_OK(session->reload_style());
+  EXPECT_NE(session->stage().id, stage);
+  const ParamBlock& style = session->state().style;
+  EXPECT_EQ(style.get(*style.schema().find("tint"), 1), 0.25);
+  LUM_ASSERT_OK(const Image* picture, session->picture());
+  EXPECT_EQ(picture->rgb(8 * 16 + 8).g, 0.75F) << "strokes have a density, so the mesh is unwrapped";
+  manifest("0.25", "strokes = true\nlihgts = 1\n");
+  EXPECT_EQ(error_of(session->reload_style()).kind, ErrorKind::kStyle);
+  LUM_ASSERT_OK(picture, session->picture());
+  EXPECT_EQ(picture->rgb(8 * 16 + 8).g, 0.75F);
 }
 
 TEST_F(StyleReloadTest, FilesAreSeenToChangeOnce) {
