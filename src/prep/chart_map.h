@@ -27,9 +27,10 @@ std::optional<std::vector<glm::dvec2>> map_disc(const Disc& disc, ChartMethod me
 /// source Liu et al. 2008, section 4.
 std::optional<std::vector<glm::dvec2>> as_rigid_as_possible(const Disc& disc, const std::vector<glm::dvec2>& places);
 
-/// Places in which every triangle is turned by its angle (radians, counter-clockwise) against how it lies now, as nearly
-/// as its neighbours let it: triangles grow or shrink, up to twofold, to make room, so that turns which are smooth over
-/// the surface come out conformal. May flip what did not. cost as above. source the same with the turns given.
+/// Places in which every triangle is turned by its angle (radians, counter-clockwise) against how it lies now, as
+/// nearly as its neighbours let it: triangles grow or shrink, up to twofold, to make room, so that turns which are
+/// smooth over the surface come out conformal. May flip what did not. cost as above. source the same with the turns
+/// given.
 std::optional<std::vector<glm::dvec2>> with_triangles_turned(const Disc& disc, const std::vector<glm::dvec2>& places,
                                                              const std::vector<double>& turns);
 

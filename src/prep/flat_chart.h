@@ -19,7 +19,7 @@ struct FlatChart {
 struct FlatteningLimits {
   double stretch = 1.04;         ///< Distortion::stretch of a chart: lengths are off by a fifth, root mean square
   double aligned_stretch = 1.2;  ///< the same of a chart whose triangles are turned to the strokes
-  double coherence = 0.75;        ///< charts that have less are divided
+  double coherence = 0.75;       ///< charts that have less are divided
   double smallest = 0.01;        ///< but not for that if they are below this share of their piece's area
 };
 

@@ -28,13 +28,14 @@ class StyleFiles {
   Times seen_;
 };
 
-/// The parameters of a style that is there in a new version: one keeps its value and locks if it is there still with the
-/// same type, unless it had the old default; then it gets the new one. cost O(parameters).
+/// The parameters of a style that is there in a new version: one keeps its value and locks if it is there still with
+/// the same type, unless it had the old default; then it gets the new one. cost O(parameters).
 ParamState carried_over(const ParamState& state, const Style& style, const SceneFrame& frame);
 
 /// Reads the stage's style again and compiles it in place; scene, shadows and paint stay. returns carried_over().
 /// errors kStyle at the author's line, and the stage is as it was: the last good version stays. kUsage for what needs
-/// another stage: a path-traced style, and one that now unwraps meshes or draws lines and did not before, or the reverse.
+/// another stage: a path-traced style, and one that now unwraps meshes or draws lines and did not before, or the
+/// reverse.
 Result<ParamState> reload_style(Stage& stage, const AssetRoots& roots, const ParamState& state);
 
 }  // namespace luminist
