@@ -14,6 +14,46 @@ Image at_size(const Image& image, int width, int height) {
   return image.empty() ? Image() : resized(image, width, height);
 }
 
+/// Those at the pixels' centres.
+std::vector<std::uint32_t> resized_strokes(const std::vector<std::uint32_t>& strokes, const Image& large, int width,
+                                           int height) {
+  std::vector<std::uint32_t> small;
+  small.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const int from_x = (2 * x + 1) * large.width / (2 * width);
+      const int from_y = (2 * y + 1) * large.height / (2 * height);
+      small.push_back(strokes[large.index(from_x, from_y)]);
+    }
+  }
+  return small;
+}
+
+/// Strokes are of no size; what they copy and what lies under them is.
+LayerStack resized_layers(const LayerStack& layers, int width, int height) {
+  LayerStack small = layers;
+  if (layers.lies_flat()) {  // only what is painted next will be laid
+    small = LayerStack();
+    small.counts = layers.counts;
+    return small;
+  }
+  std::map<const Image*, std::shared_ptr<const Image>> sources;
+  for (auto& [number, kept] : small.strokes) {
+    if (!kept->source) continue;
+    std::shared_ptr<const Image>& source = sources[kept->source.get()];
+    if (!source) source = std::make_shared<const Image>(at_size(*kept->source, width, height));
+    KeptStroke copy = *kept;
+    copy.source = source;
+    kept = std::make_shared<const KeptStroke>(std::move(copy));
+  }
+  if (!layers.ground) return small;
+  const PaintPlanes& ground = *layers.ground;
+  small.ground = std::make_shared<const PaintPlanes>(
+      PaintPlanes{at_size(ground.color, width, height), at_size(ground.left, width, height),
+                  resized_strokes(ground.stroke, ground.color, width, height), at_size(ground.importance, width, height)});
+  return small;
+}
+
 }  // namespace
 
 CanvasState resized_paint(const CanvasState& paint, CanvasState fresh) {
@@ -30,14 +70,8 @@ CanvasState resized_paint(const CanvasState& paint, CanvasState fresh) {
   small.paint_left = at_size(paint.paint_left, width, height);
   small.strokes = paint.strokes;
   small.peak = paint.peak;
-  const Image& large = paint.target.color;
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x) {
-      const int from_x = (2 * x + 1) * large.width / (2 * width);
-      const int from_y = (2 * y + 1) * large.height / (2 * height);
-      small.target.stroke[small.target.color.index(x, y)] = paint.target.stroke[large.index(from_x, from_y)];
-    }
-  }
+  small.layers = resized_layers(paint.layers, width, height);
+  small.target.stroke = resized_strokes(paint.target.stroke, paint.target.color, width, height);
   return small;
 }
 

@@ -22,7 +22,7 @@ struct ScriptEvents {
 ///
 /// A line is a JSON object with "do": open, set, lock, unlock, constrain, set_constraints, add_light, remove_light,
 /// mute, link_light, share_shadows, load_rig, style, go_to, key, remove_key, paint, importance, target, clear_paint,
-/// solve, make_up (a light goes, the others make up for it), alternatives, diet, remedy, accept, adopt, revert, undo,
+/// layer (chosen; added if it is not there), remove_layer, merge_layer, edit_stroke, move_stroke, delete_stroke, solve, make_up (a light goes, the others make up for it), alternatives, diet, remedy, accept, adopt, revert, undo,
 /// redo, export, contact_sheet, save. The three that look further propose what "take" says: the number of an
 /// alternative, or true for the fewest lights within the budget. Empty lines and lines that begin with # are skipped.
 /// Inputs are looked for beside the script, then below the asset roots; outputs go below `output`. A project is
