@@ -78,9 +78,9 @@ class Canvas {
 
   /// The layer that takes what is painted next. layer < layers.size()
   void choose_layer(std::size_t layer);
-  /// Other layers and strokes in place of those that there are: the target is composited anew. What strokes copy and the
-  /// peak that they repeat is found where it is not known yet. folder: as in apply().
-  /// errors check_stack()'s, LayerComposer's, those of sources; nothing is changed then. cost every stroke.
+  /// Other layers and strokes in place of those that there are: the target is composited anew. What strokes copy and
+  /// the peak that they repeat is found where it is not known yet. folder: as in apply(). errors check_stack()'s,
+  /// LayerComposer's, those of sources; nothing is changed then. cost every stroke.
   Result<void> relayer(LayerStack layers, const std::string& folder);
 
   /// Importance of what is not painted: I = (1 - delta) nu + delta I_p, both in [0,1]. cost O(pixels).

@@ -29,12 +29,12 @@ struct PaintLayer {
 /// The strokes of a canvas in layers. A stroke's number is its for good: it is what Target::stroke and verdicts say.
 ///
 /// Layers are laid from the lowest to the highest, each over what those below it came to. An eraser takes away what its
-/// own layer has put down; that of the lowest visible layer also reaches the ground. Hidden layers, and those of opacity
-/// 0, are left out.
+/// own layer has put down; that of the lowest visible layer also reaches the ground. Hidden layers, and those of
+/// opacity 0, are left out.
 struct LayerStack {
-  std::vector<PaintLayer> layers = {{.name = "Layer 1"}};  ///< lowest first, never empty
+  std::vector<PaintLayer> layers = {{.name = "Layer 1"}};              ///< lowest first, never empty
   std::map<std::uint32_t, std::shared_ptr<const KeptStroke>> strokes;  ///< each in one layer
-  std::map<std::uint32_t, float> counts;  ///< importance of a stroke's pixels, over all else; 0: of those unpainted
+  std::map<std::uint32_t, float> counts;      ///< importance of a stroke's pixels, over all else; 0: of those unpainted
   std::shared_ptr<const PaintPlanes> ground;  ///< paint under all layers whose strokes are not known; may be null
   std::size_t active = 0;                     ///< the layer that is painted on; a document does not keep it
 

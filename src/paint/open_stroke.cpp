@@ -41,7 +41,12 @@ Result<PixelBox> Canvas::begin_stroke(const Stroke& stroke, const std::string& f
   LUM_TRY(std::shared_ptr<const Image> source, source_of(stroke.brush, folder));
   LUM_TRY_VOID(prepare_layer());
   const PlaneRefs planes = top();
-  open_ = OpenStroke{stroke, std::move(mask), std::move(source), {}, full_coverage(everywhere()), {},
+  open_ = OpenStroke{stroke,
+                     std::move(mask),
+                     std::move(source),
+                     {},
+                     full_coverage(everywhere()),
+                     {},
                      {*planes.color, *planes.left, *planes.stroke, *planes.importance},
                      state_.peak};
   std::fill(open_->coverage.values.begin(), open_->coverage.values.end(), 0.0F);

@@ -220,7 +220,8 @@ Result<LayerStack> read_stack(const Document& document) {
 }
 
 bool has_ground(const Document& document) {
-  return has_plane(document, ground("color")) || (has_plane(document, "paint/color") && !document.has("paint/layers/0"));
+  return has_plane(document, ground("color")) ||
+         (has_plane(document, "paint/color") && !document.has("paint/layers/0"));
 }
 
 Result<void> read_layers(const Document& document, const TileStore& tiles, CanvasState& canvas) {

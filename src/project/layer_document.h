@@ -6,10 +6,10 @@
 
 namespace luminist {
 
-/// Paths: "paint/layers/I" with name, visible, opacity and the numbers of its strokes, lowest first; "paint/kept/N" with
-/// the stroke of that number as in stroke files, the peak that it repeats and the name of what it copies, whose pixels
-/// are "paint/sources/NAME/..."; "paint/counts/N"; "paint/ground/...". One empty layer without a ground is not written.
-/// errors kUnwritable. cost O(strokes), of sources that are new O(pixels).
+/// Paths: "paint/layers/I" with name, visible, opacity and the numbers of its strokes, lowest first; "paint/kept/N"
+/// with the stroke of that number as in stroke files, the peak that it repeats and the name of what it copies, whose
+/// pixels are "paint/sources/NAME/..."; "paint/counts/N"; "paint/ground/...". One empty layer without a ground is not
+/// written. errors kUnwritable. cost O(strokes), of sources that are new O(pixels).
 Result<void> write_layers(const LayerStack& layers, Document& document, TileStore& tiles);
 
 /// The layers of a canvas whose composite was read. Paint of a project that knows no layers becomes the ground.

@@ -7,8 +7,8 @@
 namespace luminist {
 
 /// Paths: "paint/nu", "paint/delta", "paint/strokes", "paint/peak", a plane of tiles "paint/PLANE/X,Y" for each image
-/// (project/tile_planes.h), and the layers (project/layer_document.h). A canvas without strokes keeps only its layers and
-/// the importance of the last accepted solve: its picture is rendered again. errors kUnwritable. cost O(pixels),
+/// (project/tile_planes.h), and the layers (project/layer_document.h). A canvas without strokes keeps only its layers
+/// and the importance of the last accepted solve: its picture is rendered again. errors kUnwritable. cost O(pixels),
 /// hashing.
 Result<void> write_paint(const CanvasState& canvas, Document& document, TileStore& tiles);
 

@@ -9,7 +9,8 @@ namespace luminist {
 
 /// What Session::layers() gives: each call is a gesture like those of a session, recorded as one command; the target is
 /// composited anew. Strokes are named by their numbers, which are those of verdicts; layers by their names.
-/// errors kUsage for a layer (nearest name) or a stroke that is not there; those of Canvas::relayer(). cost every stroke.
+/// errors kUsage for a layer (nearest name) or a stroke that is not there; those of Canvas::relayer(). cost every
+/// stroke.
 class PaintLayers {
  public:
   explicit PaintLayers(Session& session) : session_(&session) {}
@@ -29,8 +30,9 @@ class PaintLayers {
   Result<void> set_opacity(const std::string& layer, float opacity);
   /// To that place counted from the lowest; the last for one that is too high.
   Result<void> place(const std::string& layer, std::size_t place);
-  /// Its strokes go over those of the layer below, which stays. Opacities become those of the strokes: where they overlap
-  /// that is only nearly the same. errors kUsage for the lowest, hidden layers, and one whose eraser would reach further.
+  /// Its strokes go over those of the layer below, which stays. Opacities become those of the strokes: where they
+  /// overlap that is only nearly the same. errors kUsage for the lowest, hidden layers, and one whose eraser would
+  /// reach further.
   Result<void> merge_down(const std::string& layer);
 
   /// path: of the file that copies are looked for beside.

@@ -1,6 +1,8 @@
 #include "studio/quick_stage.h"
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 namespace luminist {
@@ -48,9 +50,9 @@ LayerStack resized_layers(const LayerStack& layers, int width, int height) {
   }
   if (!layers.ground) return small;
   const PaintPlanes& ground = *layers.ground;
-  small.ground = std::make_shared<const PaintPlanes>(
-      PaintPlanes{at_size(ground.color, width, height), at_size(ground.left, width, height),
-                  resized_strokes(ground.stroke, ground.color, width, height), at_size(ground.importance, width, height)});
+  small.ground = std::make_shared<const PaintPlanes>(PaintPlanes{
+      at_size(ground.color, width, height), at_size(ground.left, width, height),
+      resized_strokes(ground.stroke, ground.color, width, height), at_size(ground.importance, width, height)});
   return small;
 }
 
@@ -76,13 +78,29 @@ CanvasState resized_paint(const CanvasState& paint, CanvasState fresh) {
 }
 
 bool QuickStage::helps(const Shot& shot) {
-  return pixels(shot) > 1.2 * kQuickPixels;
+  return luminist::pixels(shot) > 1.2 * QuickSize::kMost;
+}
+
+double QuickStage::pixels() const {
+  return static_cast<double>(stage_->renderer->surface().pixels());
+}
+
+/// The middle of a few events: one that had a picture to draw counts as much as one that had none.
+void QuickSize::note(double seconds, double pixels) {
+  constexpr std::size_t kEvents = 9;
+  seconds_.push_back(seconds);
+  if (seconds_.size() < kEvents) return;
+  std::nth_element(seconds_.begin(), seconds_.begin() + 6, seconds_.end());  // two of three are quicker
+  const double measured = std::max(seconds_[6], 1e-4);
+  seconds_.clear();
+  best_ = std::clamp(pixels * kSeconds / measured, kLeast, kMost);
 }
 
 Result<std::unique_ptr<QuickStage>> QuickStage::open(Device& device, const AssetRoots& roots, const Shot& shot,
-                                                     const std::filesystem::path& folder, Diagnostics& diagnostics) {
+                                                     double pixels, const std::filesystem::path& folder,
+                                                     Diagnostics& diagnostics) {
   Shot small = shot;
-  const double scale = std::sqrt(std::min(1.0, kQuickPixels / pixels(shot)));
+  const double scale = std::sqrt(std::min(1.0, pixels / luminist::pixels(shot)));
   small.width = std::max(1, static_cast<int>(std::lround(scale * shot.width)));
   small.height = std::max(1, static_cast<int>(std::lround(scale * shot.height)));
   LUM_TRY(auto stage, open_stage(device, roots, small, folder, diagnostics));
