@@ -15,6 +15,7 @@ constexpr std::array<ToolFacts, kTools> kFacts = {{
     {"Erase", "Take paint away; what was there comes back.", PaintTool::kErase},
     {"Importance", "Say how much a place counts for the solver.", PaintTool::kImportance},
     {"Pick colour", "Take a colour from the picture.", PaintTool::kColor},
+    {"Edit strokes", "Click a stroke to change it, drag it to move it.", PaintTool::kColor},
 }};
 
 constexpr float kLeastDiameter = 0.004F;  // picture heights: a few pixels

@@ -10,13 +10,13 @@
 namespace luminist {
 
 /// What the hand holds, in the order of the tool strip.
-enum class Tool { kLight, kBrighten, kDarken, kShadow, kShadowEraser, kCopy, kErase, kImportance, kPick };
-inline constexpr int kTools = 9;
+enum class Tool { kLight, kBrighten, kDarken, kShadow, kShadowEraser, kCopy, kErase, kImportance, kPick, kEdit };
+inline constexpr int kTools = 10;
 
 struct ToolFacts {
   const char* name;
   const char* doc;
-  PaintTool paint;  ///< of what paints; kPick does not
+  PaintTool paint;  ///< of what paints; kPick and kEdit do not
 };
 const ToolFacts& facts_of(Tool tool);
 

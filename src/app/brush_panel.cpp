@@ -5,54 +5,12 @@
 
 #include <fmt/format.h>
 
+#include "app/brush_widgets.h"
 #include "app/icons.h"
 #include "app/panels.h"
 
 namespace luminist {
 namespace {
-
-/// The declaration of a quality of the brush.
-const BrushQuality& quality(const char* name) {
-  const auto all = brush_qualities();
-  const auto found =
-      std::find_if(all.begin(), all.end(), [&](const BrushQuality& each) { return std::strcmp(each.name, name) == 0; });
-  LUM_CHECK(found != all.end(), "brushes have this quality");
-  return *found;
-}
-
-void quality_tip(const Theme& theme, const BrushQuality& what) {
-  const std::string range = quality_range(what);
-  tip(theme, (std::string(what.doc) + (range.empty() ? "" : "\n" + range + ".")).c_str());
-}
-
-struct NumberLook {
-  float least = 0.0F;
-  float most = 1.0F;
-  const char* format = "%.2f";
-  float scale = 1.0F;  ///< shown number over the quality's
-  bool logarithmic = false;
-};
-constexpr NumberLook kPercent{0.0F, 1.0F, "%.0f %%", 100.0F};
-
-void number(const Desk& desk, const char* label, float& value, const char* name, const NumberLook& look) {
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(label);
-  quality_tip(desk.theme, quality(name));
-  ImGui::SameLine(desk.theme.px(84.0F));
-  ImGui::SetNextItemWidth(-1.0F);
-  float shown = look.scale * value;
-  const ImGuiSliderFlags flags =
-      ImGuiSliderFlags_AlwaysClamp | (look.logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
-  if (ImGui::SliderFloat(fmt::format("##{}", name).c_str(), &shown, look.scale * look.least, look.scale * look.most,
-                         look.format, flags)) {
-    value = shown / look.scale;
-  }
-}
-
-void flag(const Desk& desk, const char* label, bool& value, const char* name) {
-  ImGui::Checkbox(label, &value);
-  quality_tip(desk.theme, quality(name));
-}
 
 void palette(Desk& desk) {
   std::vector<Vec3>& colors = desk.box.palette();
@@ -95,32 +53,6 @@ void colors(Desk& desk) {
   palette(desk);
 }
 
-/// Which object strokes stay on.
-void clip(Desk& desk) {
-  std::string& clip = desk.box.brush().clip;
-  ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted("Stay on");
-  quality_tip(desk.theme, quality("clip"));
-  ImGui::SameLine(desk.theme.px(84.0F));
-  const float side = ImGui::GetFrameHeight();
-  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - side - desk.theme.px(4.0F));
-  const char* shown = clip.empty() ? "anything" : clip == "@" ? "where it begins" : clip.c_str();
-  if (ImGui::BeginCombo("##clip", shown)) {
-    if (ImGui::Selectable("anything", clip.empty())) clip.clear();
-    if (ImGui::Selectable("where it begins", clip == "@")) clip.assign(1, '@');
-    ImGui::Separator();
-    for (const std::string& name : desk.now->facts->surface.object_names) {
-      if (!name.empty() && ImGui::Selectable(name.c_str(), clip == name)) clip = name;
-    }
-    ImGui::EndCombo();
-  }
-  ImGui::SameLine(0.0F, desk.theme.px(4.0F));
-  if (icon_button(desk.theme, "pick clip", Icon::kTarget, side, desk.pick_clip,
-                  "Then click on the object to stay on.")) {
-    desk.pick_clip = !desk.pick_clip;
-  }
-}
-
 void importance(Desk& desk) {
   for (const bool first : {true, false}) {
     float value = first ? desk.now->nu : desk.now->delta;
@@ -150,15 +82,7 @@ void importance(Desk& desk) {
   }
 }
 
-void settings(Desk& desk) {
-  Brush& brush = desk.box.brush();
-  const bool stops = brush.tool == PaintTool::kBrighten || brush.tool == PaintTool::kDarken;
-  number(desk, "Size", brush.diameter, "diameter", {0.004F, 2.0F, "%.3f", 1.0F, true});
-  number(desk, "Opacity", brush.opacity, "opacity", kPercent);
-  if (brush.tool == PaintTool::kColor) number(desk, "Texture", brush.texture, "texture", kPercent);
-  if (brush.tool != PaintTool::kErase) number(desk, "Gradient", brush.gradient, "gradient", kPercent);
-  if (stops) number(desk, "Strength", brush.strength, "strength", {0.0F, 4.0F, "%.2f stops"});
-  if (brush.tool == PaintTool::kImportance) number(desk, "Counts", brush.importance, "importance", {0.0F, 2.0F});
+void steady(Desk& desk) {
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted("Steady");
   tip(desk.theme, "Steadies the hand: the stroke trails behind the pointer.");
@@ -168,35 +92,26 @@ void settings(Desk& desk) {
   if (ImGui::SliderFloat("##steady", &steady, 0.0F, 100.0F, "%.0f %%", ImGuiSliderFlags_AlwaysClamp)) {
     desk.box.steadiness() = 0.01F * steady;
   }
-  clip(desk);
-  const float half = 0.5F * ImGui::GetContentRegionMax().x;
-  flag(desk, "Bucket", brush.bucket, "bucket");
-  if (brush.tool == PaintTool::kColor) {
-    ImGui::SameLine(half);
-    flag(desk, "Never darken", brush.add_light, "add_light");
-  }
-  if (brush.gradient <= 0.0F) return;
-  bool specular = brush.peak == PeakKind::kSpecular;
-  if (ImGui::Checkbox("Highlight", &specular)) brush.peak = specular ? PeakKind::kSpecular : PeakKind::kDiffuse;
-  quality_tip(desk.theme, quality("peak"));
-  ImGui::SameLine(half);
-  flag(desk, "Same peak", brush.repeat_peak, "repeat_peak");
-  flag(desk, "Fade along the drag", brush.screen_gradient, "screen_gradient");
+  ImGui::PushFont(desk.theme.small);
+  ImGui::TextDisabled("%s", desk.pen.c_str());
+  ImGui::PopFont();
+  tip(desk.theme,
+      "How hard a pen presses makes the brush smaller or larger, up to its size. A mouse always presses fully.");
 }
 
 void copy_from(Desk& desk) {
   Brush& brush = desk.box.brush();
   const std::string name = std::filesystem::path(brush.copy_from).filename().string();
   if (ImGui::Button(name.empty() ? "Choose an image..." : name.c_str(), {-1.0F, 0.0F})) desk.ask(Question::kImage);
-  quality_tip(desk.theme, quality("copy_from"));
+  quality_tip(desk.theme, brush_quality("copy_from"));
 }
 
 }  // namespace
 
 void tool_strip(Desk& desk) {
-  static constexpr std::array<Deed, kTools> keys = {Deed::kToolLight,  Deed::kNone,           Deed::kNone,
-                                                    Deed::kToolShadow, Deed::kNone,           Deed::kNone,
-                                                    Deed::kToolErase,  Deed::kToolImportance, Deed::kToolPick};
+  static constexpr std::array<Deed, kTools> keys = {
+      Deed::kToolLight, Deed::kNone,      Deed::kNone,           Deed::kToolShadow, Deed::kNone,
+      Deed::kNone,      Deed::kToolErase, Deed::kToolImportance, Deed::kToolPick,   Deed::kToolEdit};
   for (int i = 0; i < kTools; ++i) {
     const auto tool = static_cast<Tool>(i);
     const ToolFacts& facts = facts_of(tool);
@@ -226,7 +141,7 @@ void brush_panel(Desk& desk) {
     ImGui::Spacing();
   }
   if (desk.box.tool() == Tool::kCopy) copy_from(desk);
-  if (desk.box.tool() != Tool::kPick) settings(desk);
+  if (desk.box.tool() != Tool::kPick) brush_settings(desk, desk.box.brush()), steady(desk);
   ImGui::Spacing();
   ImGui::Separator();
   ImGui::Spacing();

@@ -55,6 +55,8 @@ void CanvasPanel::press(Desk& desk, const HandEvent& event) {
   } else if (desk.box.tool() == Tool::kPick || event.mods == desk.keys().pick_mods) {
     grip_ = Grip::kPick;
     pick_color(desk, event.at);
+  } else if (desk.box.tool() == Tool::kEdit) {
+    press_stroke(desk, event.at);
   } else if (event.mods == GLFW_MOD_SHIFT) {
     grip_ = Grip::kSize;
     grip_diameter_ = desk.box.brush().diameter;
@@ -104,6 +106,9 @@ void CanvasPanel::move(Desk& desk, const HandEvent& event) {
     }
     case Grip::kPick:
       return pick_color(desk, event.at);
+    case Grip::kMove:
+      moved_ = (event.at - grip_at_) / (desk.view.zoom() * desk.view.picture_size().y);
+      return;
     case Grip::kLight:
       return handles_.move(desk, event.at, event.mods == GLFW_MOD_SHIFT);
     case Grip::kNone:
@@ -123,6 +128,7 @@ void CanvasPanel::release(Desk& desk, const HandEvent& event) {
     desk.studio->end_stroke();
     ink_.end();
   }
+  if (grip_ == Grip::kMove) release_stroke(desk);
   handles_.release(desk);
   if (grip_ == Grip::kPick && desk.box.tool() == Tool::kPick) desk.box.take_last();
   grip_ = Grip::kNone;

@@ -70,9 +70,8 @@ void CanvasPanel::refresh_kept(const Desk& desk) {
   paint_.display = desk.display;
 }
 
-/// Dots over the stroke that the pointer rests on in the list of verdicts.
-void CanvasPanel::mark_stroke(Desk& desk) const {
-  const std::uint32_t stroke = std::exchange(desk.pointed_stroke, 0);
+/// Dots where a stroke is the uppermost paint.
+void CanvasPanel::mark_stroke(const Desk& desk, std::uint32_t stroke) const {
   if (stroke == 0) return;
   const PaintedPictures& painted = *desk.now->painted;
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -114,7 +113,8 @@ void CanvasPanel::draw_pictures(Desk& desk) {
                  desk.wipe_kept && desk.kept ? " Kept" : "Paint");
     list.AddText({top.x + desk.theme.px(10.0F), bottom.y - desk.theme.px(22.0F)}, paint_colors::kText, "Light");
   }
-  mark_stroke(desk);
+  mark_stroke(desk, std::exchange(desk.pointed_stroke, 0));
+  if (desk.box.tool() == Tool::kEdit) draw_selected(desk);
   ink_.settle(*desk.now);
   ink_.draw(list, desk.view, desk.now->facts->surface, desk.display.exposure);
 }
@@ -142,6 +142,7 @@ void CanvasPanel::draw_cursor(const Desk& desk) {
   if (grip_ == Grip::kLight || (grip_ == Grip::kNone && handles_.over(desk, pointer_))) {
     return ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
   }
+  if (desk.box.tool() == Tool::kEdit && !picks) return;  // the arrow
   ImGui::SetMouseCursor(ImGuiMouseCursor_None);
   const Vec2 at = grip_ == Grip::kSize ? grip_at_ : pointer_;
   if (picks) {

@@ -21,7 +21,7 @@ class CanvasPanel {
   bool cancel_stroke(Desk& desk);
 
  private:
-  enum class Grip { kNone, kStroke, kPan, kSize, kWipe, kPick, kLight };
+  enum class Grip { kNone, kStroke, kPan, kSize, kWipe, kPick, kLight, kMove };
   /// One picture on the screen, and what it was made of.
   struct Shown {
     PictureTexture texture;
@@ -45,7 +45,10 @@ class CanvasPanel {
   void refresh(const Desk& desk, Shown& shown, Channel channel);
   void refresh_kept(const Desk& desk);
   void draw_pictures(Desk& desk);
-  void mark_stroke(Desk& desk) const;
+  void press_stroke(Desk& desk, const Vec2& screen);
+  void release_stroke(Desk& desk);
+  void draw_selected(const Desk& desk) const;
+  void mark_stroke(const Desk& desk, std::uint32_t stroke) const;
   void draw_cursor(const Desk& desk);
   void draw_peak(const Desk& desk, const Vec2& screen) const;
 
@@ -62,7 +65,9 @@ class CanvasPanel {
   bool over_ = false;  ///< the pointer is over the canvas
   int mods_ = 0;
   std::vector<StrokePoint> unsent_;
-  Vec2 steadied_{0.0F};  ///< where the stroke is, behind the pointer
+  Vec2 steadied_{0.0F};     ///< where the stroke is, behind the pointer
+  std::uint32_t next_ = 0;  ///< stroke below the one that was pressed; 0: none
+  Vec2 moved_{0.0F};        ///< of the stroke that is dragged, in picture heights
 };
 
 /// Name of the object at a place of the picture, in pixels; "" where there is none.

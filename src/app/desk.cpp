@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "studio/paint_layers.h"
+
 namespace luminist {
 namespace {
 
@@ -52,6 +54,8 @@ bool perform_here(Desk& desk, Deed deed, int digit) {
       return desk.box.take(Tool::kImportance), true;
     case Deed::kToolPick:
       return desk.box.take(Tool::kPick), true;
+    case Deed::kToolEdit:
+      return desk.box.take(Tool::kEdit), true;
     case Deed::kOpacity:
       return set_opacity(desk, digit), true;
     case Deed::kViewLight:
@@ -86,6 +90,11 @@ std::string Desk::with_key(const std::string& text, Deed deed) const {
   return key.empty() ? text : text + " (" + key + ")";
 }
 
+const KeptStroke* Desk::edited_stroke() const {
+  const auto found = now->layers->strokes.find(selected_stroke);
+  return found == now->layers->strokes.end() ? nullptr : found->second.get();
+}
+
 void Desk::tell(StudioMessage::Kind kind, std::string text) {
   messages.push_back({{kind, std::move(text), "", ""}, time});
   while (messages.size() > kMostMessages) messages.pop_front();
@@ -112,6 +121,13 @@ void save(Desk& desk) {
     LUM_TRY_VOID(session.save());
     studio->tell({StudioMessage::Kind::kNote, "saved to " + session.project().folder().string(), "", ""});
     return {};
+  });
+}
+
+void delete_stroke(Desk& desk) {
+  if (desk.box.tool() != Tool::kEdit || desk.edited_stroke() == nullptr) return;
+  desk.studio->repaint("delete a stroke", [stroke = std::exchange(desk.selected_stroke, 0)](Session& session) {
+    return session.layers().remove_stroke(stroke);
   });
 }
 
@@ -143,6 +159,8 @@ void perform(Desk& desk, Deed deed, int digit) {
       return;
     case Deed::kAddLight:
       return add_light(desk);
+    case Deed::kDeleteStroke:
+      return delete_stroke(desk);
     default:
       return;
   }

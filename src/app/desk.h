@@ -44,6 +44,8 @@ struct Desk {
   std::shared_ptr<const Image> kept;  ///< a picture to compare with; null: none
   bool orbit = false;                 ///< the shot from anywhere, in place of the canvas
   std::uint32_t pointed_stroke = 0;   ///< the canvas marks where it lies; 0: none
+  std::uint32_t selected_stroke = 0;  ///< that the edit tool changes; 0: none
+  std::string pen;                    ///< whether there is one, as a line
   bool pick_clip = false;             ///< the next click names the object that strokes stay on
   bool space_down = false;
   bool hand_down = false;  ///< a stroke is under way
@@ -57,6 +59,8 @@ struct Desk {
   bool quit = false;
   std::deque<ToldMessage> messages;  ///< the last ones
 
+  /// The stroke that is selected, or null.
+  [[nodiscard]] const KeptStroke* edited_stroke() const;
   [[nodiscard]] bool has_shot() const { return now->facts && now->picture && now->painted && now->shown; }
   [[nodiscard]] const KeyMap& keys() const { return key_maps()[static_cast<std::size_t>(key_map)]; }
   /// "Undo (Ctrl+Z)"
@@ -71,5 +75,7 @@ void perform(Desk& desk, Deed deed, int digit = 0);
 /// A new light that waits for paint; what a solve proposes is accepted first. only_first: unless there is a light.
 void add_light(Desk& desk, bool only_first = false);
 void save(Desk& desk);
+/// The stroke that is selected goes.
+void delete_stroke(Desk& desk);
 
 }  // namespace luminist

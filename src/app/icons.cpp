@@ -102,9 +102,9 @@ void draw_tool(Pen& pen, Icon icon) {
 }  // namespace
 
 Icon icon_of(Tool tool) {
-  static constexpr std::array<Icon, kTools> icons = {Icon::kSun,    Icon::kBrighten, Icon::kDarken,
-                                                     Icon::kShadow, Icon::kLift,     Icon::kCopy,
-                                                     Icon::kErase,  Icon::kTarget,   Icon::kDropper};
+  static constexpr std::array<Icon, kTools> icons = {Icon::kSun,     Icon::kBrighten, Icon::kDarken, Icon::kShadow,
+                                                     Icon::kLift,    Icon::kCopy,     Icon::kErase,  Icon::kTarget,
+                                                     Icon::kDropper, Icon::kArrow};
   return icons[static_cast<std::size_t>(tool)];
 }
 
@@ -131,6 +131,20 @@ void draw_icon(ImDrawList& list, Icon icon, const ImVec2& center, float size, Im
     case Icon::kTrash:
       pen.line(-0.65F, -0.5F, 0.65F, -0.5F), pen.line(-0.2F, -0.75F, 0.2F, -0.75F);
       pen.line(-0.5F, -0.5F, -0.4F, 0.75F), pen.line(0.5F, -0.5F, 0.4F, 0.75F), pen.line(-0.4F, 0.75F, 0.4F, 0.75F);
+      break;
+    case Icon::kUp:
+    case Icon::kDown: {
+      const float up = icon == Icon::kUp ? 1.0F : -1.0F;
+      pen.line(-0.6F, 0.3F * up, 0, -0.35F * up), pen.line(0, -0.35F * up, 0.6F, 0.3F * up);
+      break;
+    }
+    case Icon::kMerge:
+      pen.line(0, -0.8F, 0, 0.25F), pen.line(-0.4F, -0.15F, 0, 0.25F), pen.line(0, 0.25F, 0.4F, -0.15F);
+      pen.line(-0.7F, 0.7F, 0.7F, 0.7F);
+      break;
+    case Icon::kArrow:
+      pen.line(-0.45F, -0.8F, -0.45F, 0.55F), pen.line(-0.45F, 0.55F, -0.1F, 0.2F), pen.line(-0.1F, 0.2F, 0.2F, 0.8F);
+      pen.line(-0.45F, -0.8F, 0.55F, 0.15F), pen.line(0.55F, 0.15F, -0.1F, 0.2F);
       break;
     case Icon::kBucket:
       pen.line(-0.7F, -0.1F, 0.1F, -0.8F), pen.line(0.1F, -0.8F, 0.7F, -0.1F), pen.line(0.7F, -0.1F, -0.1F, 0.6F);

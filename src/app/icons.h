@@ -26,6 +26,10 @@ enum class Icon {
   kSolo,
   kPlus,
   kTrash,
+  kArrow,
+  kUp,
+  kDown,
+  kMerge,
 };
 Icon icon_of(Tool tool);
 

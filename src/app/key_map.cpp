@@ -35,6 +35,8 @@ std::vector<KeyBinding> usual() {
       {Deed::kToolErase, GLFW_KEY_E, 0},
       {Deed::kToolShadow, GLFW_KEY_S, 0},
       {Deed::kToolImportance, GLFW_KEY_I, 0},
+      {Deed::kToolEdit, GLFW_KEY_A, 0},
+      {Deed::kDeleteStroke, GLFW_KEY_DELETE, 0},
       {Deed::kViewLight, GLFW_KEY_F1, 0},
       {Deed::kViewPaint, GLFW_KEY_F2, 0},
       {Deed::kViewResidual, GLFW_KEY_F3, 0},
@@ -70,6 +72,8 @@ std::string letter_or_name(int key) {
       return "Esc";
     case GLFW_KEY_BACKSPACE:
       return "Backspace";
+    case GLFW_KEY_DELETE:
+      return "Delete";
     case GLFW_KEY_TAB:
       return "Tab";
     case GLFW_KEY_LEFT_BRACKET:
@@ -125,7 +129,7 @@ std::span<const KeyMap> key_maps() {
 }
 
 const char* name_of(Deed deed) {
-  static constexpr std::array<const char*, 33> names = {"",
+  static constexpr std::array<const char*, 35> names = {"",
                                                         "Undo",
                                                         "Redo",
                                                         "Open",
@@ -146,6 +150,8 @@ const char* name_of(Deed deed) {
                                                         "Shadow brush",
                                                         "Importance brush",
                                                         "Pick a colour",
+                                                        "Edit strokes",
+                                                        "Delete the stroke",
                                                         "Show the light",
                                                         "Show the paint",
                                                         "Show the residual",

@@ -28,6 +28,8 @@ enum class Deed {
   kToolShadow,
   kToolImportance,
   kToolPick,
+  kToolEdit,
+  kDeleteStroke,
   kViewLight,
   kViewPaint,
   kViewResidual,

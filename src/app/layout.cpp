@@ -47,7 +47,7 @@ void Layout::left_side(Desk& desk, const ScreenRect& rect) {
   ImGui::End();
   ImGui::PopStyleVar(2);
   begin("brush", {{rect.lo.x + strip, rect.lo.y}, rect.hi});
-  brush_panel(desk);
+  desk.box.tool() == Tool::kEdit ? strokes_.settings(desk) : brush_panel(desk);
   ImGui::End();
 }
 
@@ -65,7 +65,7 @@ void Layout::right_side(Desk& desk, const ScreenRect& rect) {
     };
     tab("Lights", [&] { lights_panel(desk, widgets_); });
     tab("Style", [&] { style_panel(desk, widgets_); });
-    tab("Strokes", [&] { verdict_panel(desk); });
+    tab("Paint", [&] { strokes_.list(desk); });
     tab("Explore", [&] { explore_.draw(desk); });
     tab("History", [&] { history_panel(desk); });
     ImGui::EndTabBar();

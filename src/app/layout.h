@@ -21,6 +21,7 @@ class Layout {
   float right_ = 336.0F;
   ParamWidgets widgets_;
   ExplorePanel explore_;
+  StrokePanel strokes_;
   OrbitPanel orbit_;
   Tour tour_;
 };

@@ -18,6 +18,30 @@ void history_panel(Desk& desk);
 void solve_panel(Desk& desk);
 /// What became of each stroke, and what would help.
 void verdict_panel(Desk& desk);
+ImU32 outcome_color(StrokeOutcome outcome);
+/// The paint as what it is made of: layers, and strokes that can be changed.
+class StrokePanel {
+ public:
+  /// Layers and strokes, and below them the verdict.
+  void list(Desk& desk);
+  /// The brush of the stroke that is selected, in place of that in the hand.
+  void settings(Desk& desk);
+
+ private:
+  void layer_row(Desk& desk, std::size_t index);
+  void layer_name(Desk& desk, std::size_t index, float width);
+  void stroke_row(Desk& desk, std::uint32_t number);
+  void take_up(const Desk& desk);
+
+  std::string renamed_;  ///< layer whose name is typed
+  std::string name_;
+  std::string faded_;  ///< layer whose opacity is under the hand
+  float opacity_ = 1.0F;
+  std::uint32_t stroke_ = 0;  ///< whose brush is held
+  Brush brush_;
+  bool held_ = false;                   ///< it is not what the session has yet
+  const LayerStack* posted_ = nullptr;  ///< what there was when it was sent
+};
 /// Other lights for the same paint, the same picture with fewer lights: a tray of pictures to choose from.
 class ExplorePanel {
  public:

@@ -108,6 +108,10 @@ void stroke_verdict(Desk& desk, const StrokeVerdict& stroke) {
 
 }  // namespace
 
+ImU32 outcome_color(StrokeOutcome outcome) {
+  return color_of(outcome);
+}
+
 void solve_panel(Desk& desk) {
   const StudioSnapshot& now = *desk.now;
   ImGui::PushStyleColor(ImGuiCol_Text, now.solving || now.proposal ? paint_colors::kText : paint_colors::kDim);

@@ -70,6 +70,7 @@ class StudioApp {
   void frame() {
     desk_.time = Window::seconds();
     desk_.now = studio_.latest();
+    desk_.pen = window_->pen().told();
     desk_.activity = studio_.activity();
     for (StudioMessage& message : studio_.take_messages()) desk_.messages.push_back({std::move(message), desk_.time});
     if (window_->take_close()) desk_.ask(Question::kQuit);

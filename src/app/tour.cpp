@@ -15,7 +15,7 @@ constexpr std::array<const char*, 5> kSteps = {
     "Paint more, or look at what you asked for: F2 shows the paint, F1 the light again.",
     "The lights are a proposal. Enter accepts them; then you paint on their picture.",
     "N adds a second light. It waits, dark, for the paint that says where it shines.",
-    "Locks on the right keep what you like. Strokes tells what became of your paint. ? shows all keys."};
+    "Locks on the right keep what you like. Paint lists your strokes, to be changed and judged. ? shows all keys."};
 
 bool has_label(const Desk& desk, const char* start) {
   const auto& labels = desk.now->history.labels;

@@ -85,6 +85,7 @@ int Window::mods() const {
 void Window::add(HandEvent event) {
   event.at = pointer_;
   event.mods = mods();
+  event.pressure = pen_.pressure();
   hand_.push_back(event);
   any_event_ = true;
 }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/hand_event.h"
+#include "app/pen.h"
 #include "base/result.h"
 
 struct GLFWwindow;
@@ -43,6 +44,7 @@ class Window {
   [[nodiscard]] bool software() const { return software_; }
   [[nodiscard]] static double seconds();  ///< since the start
   void set_title(const std::string& title);
+  [[nodiscard]] const Pen& pen() const { return pen_; }
 
  private:
   Window() = default;
@@ -69,6 +71,7 @@ class Window {
     int mods = 0;
   };
   std::vector<KeyChange> changes_;  ///< the same
+  Pen pen_;
   Vec2 pointer_{0.0F};
   Vec2 framed_{-1.0F};  ///< the pointer of the last frame
   float scale_ = 1.0F;

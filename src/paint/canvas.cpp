@@ -11,7 +11,6 @@
 #include "base/check.h"
 #include "base/files.h"
 #include "image_io/image_io.h"
-#include "paint/compositing.h"
 
 namespace luminist {
 namespace {
@@ -48,6 +47,14 @@ Result<ObjectMask> clip_mask(const Stroke& stroke, const SurfaceBuffer& surface)
                                                                       : fmt::format("did you mean \"{}\"?", near));
 }
 
+float CanvasState::importance_at(std::size_t pixel) const {
+  const std::uint32_t number = target.stroke[pixel];
+  if (!layers.counts.empty()) {
+    if (const auto counts = layers.counts.find(number); counts != layers.counts.end()) return counts->second;
+  }
+  return importance.at(pixel, number != 0);
+}
+
 Canvas::Canvas(const SurfaceBuffer& surface, Image picture, ShadowSource shadow_source)
     : Canvas(surface, std::move(picture), std::move(shadow_source),
              [](const std::string& path) { return read_image(path); }) {}
@@ -68,6 +75,8 @@ void Canvas::begin(Image picture) {
   state_.importance.paint = Image();
   state_.strokes = 0;
   state_.peak.reset();
+  state_.layers = LayerStack();
+  work_.reset();
   forget_shadow_pair();
   refresh_importance(everywhere());
 }
@@ -81,6 +90,7 @@ void Canvas::restore(CanvasState state) {
   LUM_CHECK(state.target.color.same_size(state_.target.color), "a state belongs to canvases of its size");
   if (state.target.before.data != state_.target.before.data) forget_shadow_pair();
   state_ = std::move(state);
+  work_.reset();
   refresh_importance(everywhere());
 }
 
@@ -100,12 +110,18 @@ void Canvas::refresh_importance(const PixelBox& box) {
   for (int y = box.y0; y < box.y1; ++y) {
     for (int x = box.x0; x < box.x1; ++x) {
       const std::size_t pixel = surface_->index(x, y);
-      state_.target.importance.data[pixel] = state_.importance.at(pixel, state_.target.stroke[pixel] != 0);
+      state_.target.importance.data[pixel] = state_.importance_at(pixel);
     }
   }
 }
 
-Result<const ShadowPair*> Canvas::shadow_pair() {
+/// What a copying tool paints with; null for the others.
+Result<std::shared_ptr<const Image>> Canvas::source_of(const Brush& brush, const std::string& folder) {
+  if (brush.tool == PaintTool::kCopy) {
+    LUM_TRY(Image copied, load_copy_source(brush.copy_from, folder, surface_->width, surface_->height, images_));
+    return std::make_shared<const Image>(std::move(copied));
+  }
+  if (brush.tool != PaintTool::kShadow && brush.tool != PaintTool::kShadowEraser) return std::shared_ptr<const Image>();
   if (!shadow_pair_) {
     LUM_CHECK(shadow_source_ != nullptr, "whoever lets shadows be painted renders the pair");
     LUM_TRY(ShadowPair pair, shadow_source_());
@@ -113,88 +129,27 @@ Result<const ShadowPair*> Canvas::shadow_pair() {
               "the pair is rendered at the picture's size");
     shadow_pair_ = std::make_shared<const ShadowPair>(std::move(pair));
   }
-  return shadow_pair_.get();
-}
-
-/// The image that a copying tool paints with, null for the others; copied keeps it if it was read.
-Result<const Image*> Canvas::source_of(const Brush& brush, const std::string& folder, Image& copied) {
-  switch (brush.tool) {
-    case PaintTool::kShadow: {
-      LUM_TRY(const ShadowPair* pair, shadow_pair());
-      return &pair->free_lights_off;
-    }
-    case PaintTool::kShadowEraser: {
-      LUM_TRY(const ShadowPair* pair, shadow_pair());
-      return &pair->shadows_off;
-    }
-    case PaintTool::kErase:
-      return &state_.target.before;
-    case PaintTool::kCopy: {
-      LUM_TRY(copied, load_copy_source(brush.copy_from, folder, surface_->width, surface_->height, images_));
-      return &copied;
-    }
-    default:
-      return nullptr;
-  }
+  const Image& image = brush.tool == PaintTool::kShadow ? shadow_pair_->free_lights_off : shadow_pair_->shadows_off;
+  return std::shared_ptr<const Image>(shadow_pair_, &image);
 }
 
 Result<PixelBox> Canvas::apply(const Stroke& stroke, const std::string& folder) {
-  const Brush& brush = stroke.brush;
   LUM_TRY_VOID(check_stroke(stroke));
   LUM_TRY(const ObjectMask mask, clip_mask(stroke, *surface_));
   LUM_TRY(const Gradient gradient, Gradient::create(stroke, *surface_, mask, state_.peak));
-  Image copied;
-  LUM_TRY(const Image* source, source_of(brush, folder, copied));
+  KeptStroke kept{stroke};
+  LUM_TRY_VOID(complete(kept, folder));
+  LUM_TRY_VOID(prepare_layer());
   // Nothing fails from here on.
-  const Coverage coverage = brush.bucket
-                                ? full_coverage(surface_->width, surface_->height)
-                                : stroke_coverage(stroke.points, brush.diameter, surface_->width, surface_->height);
+  const Coverage coverage =
+      stroke.brush.bucket ? full_coverage(everywhere())
+                          : stroke_coverage(stroke.points, stroke.brush.diameter, surface_->width, surface_->height);
   ++state_.strokes;
   if (gradient.peak()) state_.peak = gradient.peak();
-  lay(brush, coverage, mask, gradient, source);
-  refresh_importance(coverage.box);
+  lay(*surface_, {&stroke.brush, state_.strokes, &mask, &gradient, kept.source.get()}, coverage, underlay(), top());
+  keep(std::move(kept));
+  show(coverage.box);
   return coverage.box;
-}
-
-void Canvas::lay(const Brush& brush, const Coverage& coverage, const ObjectMask& mask, const Gradient& gradient,
-                 const Image* source) {
-  Image& importance_paint = state_.importance.paint;
-  if (brush.tool == PaintTool::kImportance && importance_paint.empty()) {
-    importance_paint = Image(surface_->width, surface_->height, 2);
-  }
-  const bool thins = fades_amount(brush);
-  for (int y = coverage.box.y0; y < coverage.box.y1; ++y) {
-    for (int x = coverage.box.x0; x < coverage.box.x1; ++x) {
-      const std::size_t pixel = surface_->index(x, y);
-      const float covered = coverage.at(x, y);
-      if (covered <= 0.0F || (!mask.empty() && !mask[surface_->object[pixel]])) continue;
-      const float fade = gradient.factor(*surface_, x, y);
-      Dose dose;
-      dose.coverage = thins ? covered * fade : covered;
-      dose.amount = brush.opacity * dose.coverage;
-      dose.shading = thins ? 1.0F : fade;
-      if (source != nullptr) dose.source = source_pixel(*source, pixel);
-      if (dose.amount > 0.0F) paint_pixel(brush, pixel, dose);
-    }
-  }
-}
-
-void Canvas::paint_pixel(const Brush& brush, std::size_t pixel, const Dose& dose) {
-  if (brush.tool == PaintTool::kImportance) {
-    state_.importance.put(pixel, brush.importance, dose.amount);
-    return;
-  }
-  Target& target = state_.target;
-  target.color.set_rgb(pixel, composited(brush, target.color.rgb(pixel), surface_->albedo[pixel], dose));
-  float& left = state_.paint_left.data[pixel];
-  if (brush.tool == PaintTool::kErase) {
-    left *= 1.0F - dose.amount;
-    if (left < kPaintEdge) target.stroke[pixel] = 0;
-    if (!state_.importance.paint.empty()) state_.importance.erase(pixel, dose.amount);
-  } else if (dose.coverage * dose.source.w >= kPaintEdge) {
-    left = 1.0F;
-    target.stroke[pixel] = state_.strokes;
-  }
 }
 
 Result<void> Canvas::apply(const StrokeFile& file, const std::string& path) {
@@ -205,6 +160,7 @@ Result<void> Canvas::apply(const StrokeFile& file, const std::string& path) {
     auto applied = apply(file.strokes[i], folder);
     if (applied) continue;
     state_ = std::move(before);
+    work_.reset();
     Error error = std::move(applied).error();
     if (error.where.empty()) error.where = path;
     error.field = error.field.empty() ? fmt::format("strokes[{}]", i) : fmt::format("strokes[{}].{}", i, error.field);

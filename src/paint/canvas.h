@@ -11,14 +11,14 @@
 #include "paint/coverage.h"
 #include "paint/gradient.h"
 #include "paint/importance.h"
+#include "paint/layer_composer.h"
+#include "paint/layer_stack.h"
 #include "paint/open_stroke.h"
 #include "paint/stroke.h"
 #include "render/surface_buffer.h"
 #include "render/target.h"
 
 namespace luminist {
-
-struct Dose;
 
 /// The pair that the shadow brush and eraser copy from (paper, section 4.2).
 struct ShadowPair {
@@ -28,11 +28,15 @@ struct ShadowPair {
 
 /// Everything that paint made, as plain values and images: what a document stores and undo puts back.
 struct CanvasState {
-  Target target;              ///< its stroke ids are 1 + index of the stroke since the last rebase
+  Target target;              ///< its stroke ids are the numbers of strokes, from 1 after a rebase
   Image paint_left;           ///< 1 channel: 1 where painted, less where the eraser went since, 0 where never
   ImportanceMap importance;   ///< target.importance follows from it
-  std::uint32_t strokes = 0;  ///< applied since the last rebase
+  std::uint32_t strokes = 0;  ///< the last number that was given to a stroke since the last rebase
   std::optional<Peak> peak;   ///< of the last stroke with a gradient by normals
+  LayerStack layers;          ///< what the above is the composite of
+
+  /// What a pixel counts.
+  [[nodiscard]] float importance_at(std::size_t pixel) const;
 };
 
 /// Paint on one picture between two accepted solves. Copyable: a copy is a snapshot.
@@ -50,11 +54,12 @@ class Canvas {
   Canvas(const SurfaceBuffer& surface, Image picture, ShadowSource shadow_source);
   Canvas(const SurfaceBuffer& surface, Image picture, ShadowSource shadow_source, ImageReader images);
 
-  /// Composites one stroke: within it coverage is the maximum of its dabs, composited once. folder is where copy_from
-  /// is looked for. returns the box of the pixels that may have changed.
+  /// Composites one stroke on the active layer: within it coverage is the maximum of its dabs, composited once. folder
+  /// is where copy_from is looked for. returns the box of the pixels that may have changed.
   /// errors kBadContent: check_stroke(), an unknown clip object (nearest name), a gradient that starts on no surface;
-  /// load_copy_source()'s; the shadow source's. The canvas is unchanged then.
-  /// cost O(pixels under the stroke); a copy reads its image, the first shadow stroke renders a pair.
+  /// load_copy_source()'s; the shadow source's; kUsage: the layer is hidden. The canvas is unchanged then.
+  /// cost O(pixels under the stroke), times the strokes above it; a copy reads its image, the first shadow stroke
+  /// renders a pair, the first stroke among other layers lays them all.
   Result<PixelBox> apply(const Stroke& stroke, const std::string& folder);
 
   /// nu and delta, then every stroke. path is the file's: for messages, and copies are looked for beside it.
@@ -70,6 +75,13 @@ class Canvas {
   Result<PixelBox> extend_stroke(std::span<const StrokePoint> points);
   /// errors kBadContent if the gradient found no start; the canvas is as before the stroke then.
   Result<void> end_stroke();
+
+  /// The layer that takes what is painted next. layer < layers.size()
+  void choose_layer(std::size_t layer);
+  /// Other layers and strokes in place of those that there are: the target is composited anew. What strokes copy and
+  /// the peak that they repeat is found where it is not known yet. folder: as in apply(). errors check_stack()'s,
+  /// LayerComposer's, those of sources; nothing is changed then. cost every stroke.
+  Result<void> relayer(LayerStack layers, const std::string& folder);
 
   /// Importance of what is not painted: I = (1 - delta) nu + delta I_p, both in [0,1]. cost O(pixels).
   void set_importance(float nu, float delta);
@@ -88,13 +100,21 @@ class Canvas {
   void forget_shadow_pair() { shadow_pair_.reset(); }
 
  private:
+  /// The active layer by itself, where the composite is more than that.
+  struct LayerWork {
+    LayerComposer composer;
+    PaintPlanes below;  ///< what the layer lies on
+    PaintPlanes top;    ///< the layer over it, without its opacity
+  };
+  Result<void> prepare_layer();
+  [[nodiscard]] PlaneRefs composite();
+  [[nodiscard]] PlaneRefs top() { return work_ ? refs(work_->top) : composite(); }
+  [[nodiscard]] Underlay underlay() const;
+  void show(const PixelBox& box);
   Result<PixelBox> lay_open(std::span<const StrokePoint> points);
-  void put_back(const PixelBox& box);
-  Result<const Image*> source_of(const Brush& brush, const std::string& folder, Image& copied);
-  Result<const ShadowPair*> shadow_pair();
-  void lay(const Brush& brush, const Coverage& coverage, const ObjectMask& mask, const Gradient& gradient,
-           const Image* source);
-  void paint_pixel(const Brush& brush, std::size_t pixel, const Dose& dose);
+  Result<std::shared_ptr<const Image>> source_of(const Brush& brush, const std::string& folder);
+  Result<void> complete(KeptStroke& stroke, const std::string& folder);
+  void keep(KeptStroke stroke);
   void refresh_importance(const PixelBox& box);
   void begin(Image picture);
 
@@ -105,6 +125,7 @@ class Canvas {
   ImageReader images_;
   std::shared_ptr<const ShadowPair> shadow_pair_;  ///< shared by copies: it never changes
   CanvasState state_;
+  std::optional<LayerWork> work_;  ///< made when it is needed
   std::optional<OpenStroke> open_;
 };
 

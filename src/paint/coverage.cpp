@@ -31,15 +31,15 @@ class DabRow {
     return one.sigma < other.sigma ? DabRow(other, one) : DabRow(one, other);
   }
 
-  /// Lowers values[i] to the least (r / sigma)^2 of the pixel (x + i, y) where that is less. A dab of no size
-  /// gives infinity or NaN, and every comparison here then takes the other side.
-  void lower(int x, int y, int count, float* values) const {
+  /// Lowers values[i] to the least (r / sigma)^2 of the pixel (x + skip + i, y) where that is less. A dab of no size
+  /// gives infinity or NaN, and every comparison here then takes the other side. Rounding depends on x alone.
+  void lower(int x, int y, int skip, int count, float* values) const {
     const DabRow s = *this;  // a copy: stores to values cannot change it, so that the loop is vectorized
     const auto first = static_cast<float>(x + 0.5 - a_.x);
     const auto wy = static_cast<float>(y + 0.5 - a_.y);
     const float squared_length = s.ex_ * s.ex_ + s.ey_ * s.ey_;
     for (int i = 0; i < count; ++i) {
-      const float wx = first + static_cast<float>(i);
+      const float wx = first + static_cast<float>(skip + i);
       const float along = wx * s.ex_ + wy * s.ey_;
       const float squared = wx * wx + wy * wy;
       const float to_end = squared - 2.0F * along + squared_length;
@@ -104,6 +104,11 @@ std::vector<Dab> dabs_of(std::span<const StrokePoint> points, float diameter, in
 
 }  // namespace
 
+PixelBox common(const PixelBox& a, const PixelBox& b) {
+  const PixelBox box{std::max(a.x0, b.x0), std::max(a.y0, b.y0), std::min(a.x1, b.x1), std::min(a.y1, b.y1)};
+  return box.empty() ? PixelBox{} : box;
+}
+
 PixelBox joined(const PixelBox& a, const PixelBox& b) {
   if (a.empty()) return b;
   if (b.empty()) return a;
@@ -111,6 +116,11 @@ PixelBox joined(const PixelBox& a, const PixelBox& b) {
 }
 
 Coverage stroke_coverage(std::span<const StrokePoint> points, float diameter, int width, int height) {
+  return stroke_coverage(points, diameter, width, height, {0, 0, width, height});
+}
+
+Coverage stroke_coverage(std::span<const StrokePoint> points, float diameter, int width, int height,
+                         const PixelBox& within) {
   LUM_CHECK(!points.empty(), "check_stroke() refuses strokes without points");
   const std::vector<Dab> dabs = dabs_of(points, diameter, height);
   const PixelBox picture{0, 0, width, height};
@@ -118,25 +128,28 @@ Coverage stroke_coverage(std::span<const StrokePoint> points, float diameter, in
   for (std::size_t i = 0; i + 1 < dabs.size(); ++i) {
     coverage.box = joined(coverage.box, reach(dabs[i], dabs[i + 1], picture));
   }
+  coverage.box = common(coverage.box, within);
   const PixelBox& box = coverage.box;
   if (box.empty()) return coverage;
   const auto row = static_cast<std::size_t>(box.width());
   coverage.values.assign(row * static_cast<std::size_t>(box.height()), static_cast<float>(kTail) + 1.0F);
   for (std::size_t i = 0; i + 1 < dabs.size(); ++i) {
-    const PixelBox part = reach(dabs[i], dabs[i + 1], picture);
+    const PixelBox whole = reach(dabs[i], dabs[i + 1], picture);
+    const PixelBox part = common(whole, box);
+    if (part.empty()) continue;
     const DabRow dab_row = DabRow::between(dabs[i], dabs[i + 1]);
     for (int y = part.y0; y < part.y1; ++y) {
       const std::size_t start = static_cast<std::size_t>(y - box.y0) * row + static_cast<std::size_t>(part.x0 - box.x0);
-      dab_row.lower(part.x0, y, part.width(), &coverage.values[start]);
+      dab_row.lower(whole.x0, y, part.x0 - whole.x0, part.width(), &coverage.values[start]);
     }
   }
   for (float& value : coverage.values) value = value <= static_cast<float>(kTail) ? std::exp(-0.5F * value) : 0.0F;
   return coverage;
 }
 
-Coverage full_coverage(int width, int height) {
-  Coverage coverage{{0, 0, width, height}, {}};
-  coverage.values.assign(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 1.0F);
+Coverage full_coverage(const PixelBox& box) {
+  Coverage coverage{box, {}};
+  coverage.values.assign(static_cast<std::size_t>(box.width()) * static_cast<std::size_t>(box.height()), 1.0F);
   return coverage;
 }
 

@@ -19,6 +19,8 @@ struct PixelBox {
   [[nodiscard]] int height() const { return y1 - y0; }
 };
 
+/// The pixels that are in both.
+PixelBox common(const PixelBox& a, const PixelBox& b);
 /// The least box around both; an empty one adds nothing.
 PixelBox joined(const PixelBox& a, const PixelBox& b);
 
@@ -40,8 +42,11 @@ struct Coverage {
 /// sigma (coverage 3e-4). Pixels are sampled at their centres. points [>= 1], diameter in picture heights. cost O(sum
 /// over segments of the pixels in their boxes).
 Coverage stroke_coverage(std::span<const StrokePoint> points, float diameter, int width, int height);
+/// The same bits inside a box of the picture, and nothing outside of it.
+Coverage stroke_coverage(std::span<const StrokePoint> points, float diameter, int width, int height,
+                         const PixelBox& within);
 
-/// A bucket's: 1 on every pixel.
-Coverage full_coverage(int width, int height);
+/// A bucket's: 1 on every pixel of the box.
+Coverage full_coverage(const PixelBox& box);
 
 }  // namespace luminist

@@ -38,6 +38,10 @@ std::optional<std::size_t> first_surface(const Stroke& stroke, const SurfaceBuff
 
 }  // namespace
 
+bool repeats_peak(const Brush& brush) {
+  return brush.repeat_peak && brush.gradient > 0.0F && !brush.screen_gradient;
+}
+
 Result<Gradient> Gradient::create(const Stroke& stroke, const SurfaceBuffer& surface, const ObjectMask& mask,
                                   const std::optional<Peak>& last_peak) {
   Gradient gradient;
@@ -54,7 +58,7 @@ Result<Gradient> Gradient::create(const Stroke& stroke, const SurfaceBuffer& sur
     if (glm::dot(drag, drag) > 0.0F) gradient.drag_ = drag / glm::dot(drag, drag);  // a click does not run out
     return gradient;
   }
-  if (brush.repeat_peak && last_peak) {
+  if (repeats_peak(brush) && last_peak) {
     gradient.peak_ = last_peak;
     return gradient;
   }

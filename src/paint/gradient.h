@@ -19,6 +19,9 @@ struct Peak {
 /// Which objects a stroke may touch: [object id], empty for all.
 using ObjectMask = std::vector<bool>;
 
+/// Whether a stroke takes the peak of the one before it, if there is one.
+bool repeats_peak(const Brush& brush);
+
 /// (1 - gamma) + gamma f, with one of three f in [0,1]:
 ///   diffuse peak    max(0, n . n_peak), n_peak the normal where the stroke starts: a directional light from n_peak.
 ///   specular peak   max(0, r . n_peak), r the view vector mirrored about the normal and n_peak the r where the stroke

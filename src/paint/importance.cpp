@@ -14,16 +14,18 @@ float ImportanceMap::at(std::size_t pixel, bool painted) const {
   return paint.data[2 * pixel] + (1.0F - paint.data[2 * pixel + 1]) * below;
 }
 
-void ImportanceMap::put(std::size_t pixel, float value, float amount) {
+void put_importance(Image& paint, std::size_t pixel, float value, float amount) {
   float* layer = &paint.data[2 * pixel];
   layer[0] = (1.0F - amount) * layer[0] + amount * value;
   layer[1] = (1.0F - amount) * layer[1] + amount;
 }
 
-void ImportanceMap::erase(std::size_t pixel, float amount) {
-  float* layer = &paint.data[2 * pixel];
-  layer[0] *= 1.0F - amount;
-  layer[1] *= 1.0F - amount;
+void erase_importance(Image& paint, std::size_t pixel, float amount, const Image* below) {
+  for (std::size_t c = 0; c < 2; ++c) {
+    float& value = paint.data[2 * pixel + c];
+    value *= 1.0F - amount;
+    if (below != nullptr) value += amount * below->data[2 * pixel + c];
+  }
 }
 
 }  // namespace luminist

@@ -16,9 +16,11 @@ struct ImportanceMap {
 
   [[nodiscard]] float implied(std::size_t pixel, bool painted) const;
   [[nodiscard]] float at(std::size_t pixel, bool painted) const;
-  /// Puts paint down. amount in [0,1]. The paint layer must exist.
-  void put(std::size_t pixel, float value, float amount);
-  void erase(std::size_t pixel, float amount);
 };
+
+/// Puts paint down on importance paint (value x weight, weight). amount in [0,1].
+void put_importance(Image& paint, std::size_t pixel, float value, float amount);
+/// Takes it away; what was there before, below, comes back. below: the same planes, or null for none.
+void erase_importance(Image& paint, std::size_t pixel, float amount, const Image* below);
 
 }  // namespace luminist

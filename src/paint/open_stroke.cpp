@@ -10,15 +10,6 @@
 namespace luminist {
 namespace {
 
-template <class T>
-void copy_box(const std::vector<T>& from, std::vector<T>& to, const PixelBox& box, int width, int channels) {
-  for (int y = box.y0; y < box.y1; ++y) {
-    const auto start = (static_cast<std::ptrdiff_t>(y) * width + box.x0) * channels;
-    const auto count = static_cast<std::ptrdiff_t>(box.width()) * channels;
-    std::copy_n(from.begin() + start, count, to.begin() + start);
-  }
-}
-
 /// The part of a coverage inside a box that it contains.
 Coverage part_of(const Coverage& coverage, const PixelBox& box) {
   Coverage part{box, {}};
@@ -46,17 +37,20 @@ Result<PixelBox> Canvas::begin_stroke(const Stroke& stroke, const std::string& f
   LUM_CHECK(!open_, "one stroke at a time");
   LUM_CHECK(!stroke.brush.bucket, "a bucket is applied at once");
   LUM_TRY_VOID(check_stroke(stroke));
-  OpenStroke open{stroke, folder, {}, {}, {}, full_coverage(surface_->width, surface_->height), {}, {}, {}, {}, {}, {}};
-  LUM_TRY(open.mask, clip_mask(stroke, *surface_));
-  LUM_TRY([[maybe_unused]] const Image* source, source_of(stroke.brush, folder, open.copied));
-  std::fill(open.coverage.values.begin(), open.coverage.values.end(), 0.0F);
-  open.color = state_.target.color;
-  open.paint_left = state_.paint_left;
-  open.importance_paint = state_.importance.paint;
-  open.stroke_ids = state_.target.stroke;
-  open.peak = state_.peak;
+  LUM_TRY(ObjectMask mask, clip_mask(stroke, *surface_));
+  LUM_TRY(std::shared_ptr<const Image> source, source_of(stroke.brush, folder));
+  LUM_TRY_VOID(prepare_layer());
+  const PlaneRefs planes = top();
+  open_ = OpenStroke{stroke,
+                     std::move(mask),
+                     std::move(source),
+                     {},
+                     full_coverage(everywhere()),
+                     {},
+                     {*planes.color, *planes.left, *planes.stroke, *planes.importance},
+                     state_.peak};
+  std::fill(open_->coverage.values.begin(), open_->coverage.values.end(), 0.0F);
   ++state_.strokes;
-  open_ = std::move(open);
   return lay_open(stroke.points);
 }
 
@@ -88,34 +82,24 @@ Result<PixelBox> Canvas::lay_open(std::span<const StrokePoint> points) {
     if (open.gradient->peak()) state_.peak = open.gradient->peak();
   }
   const PixelBox box = all_anew ? open.reached : added.box;
-  put_back(box);
-  const Image* source = &open.copied;
-  if (brush.tool != PaintTool::kCopy) {
-    LUM_TRY(source, source_of(brush, open.folder, open.copied));
-  }
-  lay(brush, part_of(open.coverage, box), open.mask, *open.gradient, source);
-  refresh_importance(box);
+  const PlaneRefs planes = top();
+  copy_box(refs(std::as_const(open.saved)), planes, box);
+  const LaidStroke laid{&brush, state_.strokes, &open.mask, &*open.gradient, open.source.get()};
+  lay(*surface_, laid, part_of(open.coverage, box), underlay(), planes);
+  show(box);
   return box;
-}
-
-void Canvas::put_back(const PixelBox& box) {
-  const int width = surface_->width;
-  copy_box(open_->color.data, state_.target.color.data, box, width, 3);
-  copy_box(open_->paint_left.data, state_.paint_left.data, box, width, 1);
-  copy_box(open_->stroke_ids, state_.target.stroke, box, width, 1);
-  Image& paint = state_.importance.paint;
-  if (open_->stroke.brush.tool == PaintTool::kImportance && open_->importance_paint.empty()) {
-    open_->importance_paint = Image(width, surface_->height, 2);  // the layer that this stroke begins
-  }
-  if (paint.empty()) return;  // the stroke's own layer is made when it is laid
-  copy_box(open_->importance_paint.data, paint.data, box, width, 2);
 }
 
 Result<void> Canvas::end_stroke() {
   LUM_CHECK(open_.has_value(), "a stroke has begun");
-  const OpenStroke open = std::move(*open_);
+  OpenStroke open = std::move(*open_);
   open_.reset();
-  if (open.gradient) return {};
+  if (open.gradient) {
+    KeptStroke kept{std::move(open.stroke), {}, std::move(open.source)};
+    if (repeats_peak(kept.stroke.brush)) kept.peak = open.peak;
+    keep(std::move(kept));
+    return {};
+  }
   --state_.strokes;
   auto gradient = Gradient::create(open.stroke, *surface_, open.mask, open.peak);
   LUM_CHECK(!gradient.has_value(), "a gradient that can be made was made when its points came");

@@ -1,13 +1,12 @@
 #pragma once
 // paint/open_stroke.h -- a stroke whose points still arrive, and the paint as it was before it.
-#include <cstdint>
+#include <memory>
 #include <optional>
 #include <string>
-#include <vector>
 
-#include "base/image.h"
 #include "paint/coverage.h"
 #include "paint/gradient.h"
+#include "paint/paint_planes.h"
 #include "paint/stroke.h"
 
 namespace luminist {
@@ -15,18 +14,14 @@ namespace luminist {
 /// What Canvas keeps from begin_stroke() to end_stroke().
 struct OpenStroke {
   Stroke stroke;  ///< with the points so far
-  std::string folder;
   ObjectMask mask;
-  Image copied;                      ///< what PaintTool::kCopy paints with
-  std::optional<Gradient> gradient;  ///< none until its start is known
-  Coverage coverage;                 ///< of all points; its box is the picture
-  PixelBox reached;                  ///< by any point so far
+  std::shared_ptr<const Image> source;  ///< of a tool that copies
+  std::optional<Gradient> gradient;     ///< none until its start is known
+  Coverage coverage;                    ///< of all points; its box is the picture
+  PixelBox reached;                     ///< by any point so far
 
-  // As it was before the stroke; the importance paint is empty where there was none.
-  Image color;
-  Image paint_left;
-  Image importance_paint;
-  std::vector<std::uint32_t> stroke_ids;
+  // The layer, and the peak, as they were before the stroke.
+  PaintPlanes saved;
   std::optional<Peak> peak;
 };
 

@@ -46,6 +46,11 @@ Result<StrokeFile> parse_strokes(const std::string& json, const std::string& pat
 /// One stroke a paragraph, only qualities that differ from the defaults; parses to the same values bit by bit.
 std::string strokes_to_json(const StrokeFile& file);
 
+/// A brush with some qualities changed: an object of them, as in stroke files. errors as parse_strokes().
+Result<Brush> parse_brush(const std::string& json, const std::string& path, const Brush& brush);
+/// The qualities of `to` that are others than those of `from`, as such an object.
+std::string brush_changes(const Brush& from, const Brush& to);
+
 /// The qualities of a stroke as a Markdown table: name, default, range, what it does.
 std::string stroke_reference();
 

@@ -65,6 +65,13 @@ class Reader {
     return file;
   }
 
+  Result<Brush> read_brush(const JsonNode& root, Brush brush) const {
+    LUM_TRY_VOID(expect(root, JsonNode::Kind::kObject, "an object of qualities", "brush"));
+    const std::vector<std::string> keys = quality_names();
+    for (const JsonNode& item : root.items) LUM_TRY_VOID(read_quality(item, keys, "brush", brush));
+    return brush;
+  }
+
  private:
   [[nodiscard]] Error bad(std::size_t at, std::string what, std::string field, std::string hint = "") const {
     return {ErrorKind::kBadContent, std::move(what), located(text_, path_, at), std::move(field), std::move(hint)};
@@ -276,17 +283,23 @@ std::string to_json(PeakKind value) {
   return to_json(peak_words()[static_cast<std::size_t>(value)]);
 }
 
-std::string stroke_to_json(const Stroke& stroke) {
-  std::string text = "    {";
-  const Brush plain;
+/// "quality": value for each that differs.
+std::vector<std::string> changes(const Brush& from, const Brush& to) {
+  std::vector<std::string> items;
   for (const BrushQuality& quality : brush_qualities()) {
     std::visit(
         [&](auto member) {
-          if (stroke.brush.*member == plain.*member) return;
-          text += fmt::format("\"{}\": {}, ", quality.name, to_json(stroke.brush.*member));
+          if (to.*member == from.*member) return;
+          items.push_back(fmt::format("\"{}\": {}", quality.name, to_json(to.*member)));
         },
         quality.member);
   }
+  return items;
+}
+
+std::string stroke_to_json(const Stroke& stroke) {
+  std::string text = "    {";
+  for (const std::string& item : changes(Brush(), stroke.brush)) text += item + ", ";
   text += "\"points\": [";
   for (std::size_t i = 0; i < stroke.points.size(); ++i) {
     const StrokePoint& p = stroke.points[i];
@@ -306,6 +319,15 @@ Result<StrokeFile> parse_strokes(const std::string& json, const std::string& pat
 Result<StrokeFile> load_strokes(const std::string& path) {
   LUM_TRY(const std::string json, read_file(path));
   return parse_strokes(json, path);
+}
+
+Result<Brush> parse_brush(const std::string& json, const std::string& path, const Brush& brush) {
+  LUM_TRY(const JsonNode root, parse_located_json(json, path));
+  return Reader(json, path).read_brush(root, brush);
+}
+
+std::string brush_changes(const Brush& from, const Brush& to) {
+  return fmt::format("{{{}}}", fmt::join(changes(from, to), ", "));
 }
 
 std::string strokes_to_json(const StrokeFile& file) {

@@ -6,13 +6,10 @@
 
 namespace luminist {
 
-/// Side of a tile in pixels; the tiles at the right and lower edges are smaller.
-inline constexpr int kTileSide = 64;
-
-/// Paths: "paint/nu", "paint/delta", "paint/strokes", "paint/peak", and a plane of tiles "paint/PLANE/X,Y" for each
-/// image. A tile of one value is written as that value (a number, or an array of the channels), any other by its name
-/// in the store. A canvas without strokes keeps only the importance of the last accepted solve: its picture is
-/// rendered again. errors kUnwritable. cost O(pixels), hashing.
+/// Paths: "paint/nu", "paint/delta", "paint/strokes", "paint/peak", a plane of tiles "paint/PLANE/X,Y" for each image
+/// (project/tile_planes.h), and the layers (project/layer_document.h). A canvas without strokes keeps only its layers
+/// and the importance of the last accepted solve: its picture is rendered again. errors kUnwritable. cost O(pixels),
+/// hashing.
 Result<void> write_paint(const CanvasState& canvas, Document& document, TileStore& tiles);
 
 /// Puts the paint away as that of one frame ("frames/FRAME/paint/...") and takes out that of another; none if there is

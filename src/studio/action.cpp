@@ -119,6 +119,22 @@ std::optional<std::string> Action::object(const char* field) const {
   return (*json_)[field].dump();
 }
 
+std::string Action::rest(std::span<const char* const> but) const {
+  Json rest = *json_;
+  rest.erase("do");
+  for (const char* field : but) rest.erase(field);
+  return rest.dump();
+}
+
+Result<std::optional<std::uint32_t>> Action::whole(const char* field, std::uint32_t least) const {
+  if (!has(field)) return std::optional<std::uint32_t>{};
+  const Json& value = (*json_)[field];
+  if (!value.is_number_unsigned() || value.get<std::uint64_t>() > 0xFFFFFFFFU || value.get<std::uint32_t>() < least) {
+    return wrong(fmt::format("a whole number from {} is wanted", least), field);
+  }
+  return std::optional(value.get<std::uint32_t>());
+}
+
 Result<std::string> Action::value_text(const char* field) const {
   if (!has(field)) return wrong(fmt::format("\"{}\" needs this field", verb_), field);
   const Json& value = (*json_)[field];

@@ -1,5 +1,6 @@
 #pragma once
 // studio/action.h -- one line of an action script: {"do": "paint", "strokes": "1_key.json"}.
+#include <cstdint>
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
@@ -39,6 +40,10 @@ class Action {
   [[nodiscard]] Result<std::string> needed_text(const char* field) const;
   /// JSON text of an object, or nothing if the field is of another kind.
   [[nodiscard]] std::optional<std::string> object(const char* field) const;
+  /// JSON text of an object of all fields but these, and "do".
+  [[nodiscard]] std::string rest(std::span<const char* const> but) const;
+  /// A whole number from least on, or nothing. errors kBadContent for another.
+  [[nodiscard]] Result<std::optional<std::uint32_t>> whole(const char* field, std::uint32_t least) const;
   /// A number, array, string or boolean as it is written on a command line: "0.3,0.3,0.1".
   [[nodiscard]] Result<std::string> value_text(const char* field) const;
 

@@ -57,6 +57,7 @@ Result<void> LivePainting::end() {
 Result<LiveEvent> LivePainting::follow(Result<PixelBox> painted, Hand hand, Clock::time_point since) {
   if (!painted) return std::move(painted).error();
   LiveEvent event;
+  event.painted = *painted;
   event.paint = lap(since);
   const bool began = solve_.has_value();
   LUM_TRY_VOID(retarget(*painted));

@@ -20,6 +20,7 @@ struct LiveEvent {
   double picture = 0.0;         ///< drawn and compared, where something was found
   double epsilon_before = 0.0;  ///< of the picture shown until now, against the target now
   double epsilon = 0.0;         ///< of the picture shown then
+  PixelBox painted;             ///< where the target may be another
   bool changed = false;         ///< another picture is shown
   bool more = false;            ///< there is more to gain
   [[nodiscard]] double total() const { return paint + retarget + solve + picture; }

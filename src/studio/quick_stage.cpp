@@ -1,6 +1,8 @@
 #include "studio/quick_stage.h"
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 namespace luminist {
@@ -12,6 +14,46 @@ double pixels(const Shot& shot) {
 
 Image at_size(const Image& image, int width, int height) {
   return image.empty() ? Image() : resized(image, width, height);
+}
+
+/// Those at the pixels' centres.
+std::vector<std::uint32_t> resized_strokes(const std::vector<std::uint32_t>& strokes, const Image& large, int width,
+                                           int height) {
+  std::vector<std::uint32_t> small;
+  small.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      const int from_x = (2 * x + 1) * large.width / (2 * width);
+      const int from_y = (2 * y + 1) * large.height / (2 * height);
+      small.push_back(strokes[large.index(from_x, from_y)]);
+    }
+  }
+  return small;
+}
+
+/// Strokes are of no size; what they copy and what lies under them is.
+LayerStack resized_layers(const LayerStack& layers, int width, int height) {
+  LayerStack small = layers;
+  if (layers.lies_flat()) {  // only what is painted next will be laid
+    small = LayerStack();
+    small.counts = layers.counts;
+    return small;
+  }
+  std::map<const Image*, std::shared_ptr<const Image>> sources;
+  for (auto& [number, kept] : small.strokes) {
+    if (!kept->source) continue;
+    std::shared_ptr<const Image>& source = sources[kept->source.get()];
+    if (!source) source = std::make_shared<const Image>(at_size(*kept->source, width, height));
+    KeptStroke copy = *kept;
+    copy.source = source;
+    kept = std::make_shared<const KeptStroke>(std::move(copy));
+  }
+  if (!layers.ground) return small;
+  const PaintPlanes& ground = *layers.ground;
+  small.ground = std::make_shared<const PaintPlanes>(PaintPlanes{
+      at_size(ground.color, width, height), at_size(ground.left, width, height),
+      resized_strokes(ground.stroke, ground.color, width, height), at_size(ground.importance, width, height)});
+  return small;
 }
 
 }  // namespace
@@ -30,25 +72,35 @@ CanvasState resized_paint(const CanvasState& paint, CanvasState fresh) {
   small.paint_left = at_size(paint.paint_left, width, height);
   small.strokes = paint.strokes;
   small.peak = paint.peak;
-  const Image& large = paint.target.color;
-  for (int y = 0; y < height; ++y) {
-    for (int x = 0; x < width; ++x) {
-      const int from_x = (2 * x + 1) * large.width / (2 * width);
-      const int from_y = (2 * y + 1) * large.height / (2 * height);
-      small.target.stroke[small.target.color.index(x, y)] = paint.target.stroke[large.index(from_x, from_y)];
-    }
-  }
+  small.layers = resized_layers(paint.layers, width, height);
+  small.target.stroke = resized_strokes(paint.target.stroke, paint.target.color, width, height);
   return small;
 }
 
 bool QuickStage::helps(const Shot& shot) {
-  return pixels(shot) > 1.2 * kQuickPixels;
+  return luminist::pixels(shot) > 1.2 * QuickSize::kMost;
+}
+
+double QuickStage::pixels() const {
+  return static_cast<double>(stage_->renderer->surface().pixels());
+}
+
+/// The middle of a few events: one that had a picture to draw counts as much as one that had none.
+void QuickSize::note(double seconds, double pixels) {
+  constexpr std::size_t kEvents = 9;
+  seconds_.push_back(seconds);
+  if (seconds_.size() < kEvents) return;
+  std::nth_element(seconds_.begin(), seconds_.begin() + 6, seconds_.end());  // two of three are quicker
+  const double measured = std::max(seconds_[6], 1e-4);
+  seconds_.clear();
+  best_ = std::clamp(pixels * kSeconds / measured, kLeast, kMost);
 }
 
 Result<std::unique_ptr<QuickStage>> QuickStage::open(Device& device, const AssetRoots& roots, const Shot& shot,
-                                                     const std::filesystem::path& folder, Diagnostics& diagnostics) {
+                                                     double pixels, const std::filesystem::path& folder,
+                                                     Diagnostics& diagnostics) {
   Shot small = shot;
-  const double scale = std::sqrt(std::min(1.0, kQuickPixels / pixels(shot)));
+  const double scale = std::sqrt(std::min(1.0, pixels / luminist::pixels(shot)));
   small.width = std::max(1, static_cast<int>(std::lround(scale * shot.width)));
   small.height = std::max(1, static_cast<int>(std::lround(scale * shot.height)));
   LUM_TRY(auto stage, open_stage(device, roots, small, folder, diagnostics));

@@ -1,5 +1,6 @@
 #pragma once
 // studio/quick_stage.h -- the same shot with fewer pixels, for pictures while a brush moves on a slow machine.
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -9,16 +10,36 @@
 
 namespace luminist {
 
-/// How many pixels a picture may have that is drawn and solved for while the brush moves: about 320 x 240.
-inline constexpr double kQuickPixels = 80'000.0;
+/// How many pixels a picture may have that is drawn and solved for while the brush moves: as many as this machine
+/// makes in time, by what events took.
+class QuickSize {
+ public:
+  static constexpr double kMost = 80'000.0;   ///< about 320 x 240
+  static constexpr double kLeast = 12'800.0;  ///< about 130 x 98
+  /// What an event may take: two of them, the one that runs and the next, are an answer within 0.15 seconds.
+  static constexpr double kSeconds = 0.06;
+
+  /// An event took so long at `pixels`.
+  void note(double seconds, double pixels);
+  /// As many as suit, by the last events.
+  [[nodiscard]] double pixels() const { return best_; }
+
+ private:
+  double best_ = kMost;
+  std::vector<double> seconds_;
+};
 
 class QuickStage {
  public:
+  /// The sizes that are worth having, the largest first.
+  static constexpr std::array<double, 3> kSizes = {QuickSize::kMost, 32'000.0, QuickSize::kLeast};
   /// Whether a shot has more pixels than can be followed without a graphics processor.
   static bool helps(const Shot& shot);
   /// device outlives it. errors those of open_stage(). cost seconds.
   static Result<std::unique_ptr<QuickStage>> open(Device& device, const AssetRoots& roots, const Shot& shot,
-                                                  const std::filesystem::path& folder, Diagnostics& diagnostics);
+                                                  double pixels, const std::filesystem::path& folder,
+                                                  Diagnostics& diagnostics);
+  [[nodiscard]] double pixels() const;
 
   /// A painting that goes on from paint of any size and from those lights; its pictures are small.
   /// in_force: the lights whose picture is painted on, and whose shadows are copied.

@@ -10,6 +10,7 @@
 #include "image_io/image_io.h"
 #include "paint/stroke.h"
 #include "studio/constraint_words.h"
+#include "studio/paint_layers.h"
 #include "studio/script_runner.h"
 
 namespace luminist {
@@ -43,7 +44,13 @@ const std::vector<ScriptRunner::Verb>& ScriptRunner::verbs() {
       {"go_to", {"frame"}, &R::go_to},
       {"key", {"pattern", "interpolation"}, &R::key},
       {"remove_key", {"pattern"}, &R::key},
-      {"paint", {"strokes", "path"}, &R::paint},
+      {"paint", {"strokes", "path", "layer"}, &R::paint},
+      {"layer", {"name", "rename", "visible", "opacity", "place"}, &R::layer},
+      {"remove_layer", {"name"}, &R::remove_layer},
+      {"merge_layer", {"name"}, &R::remove_layer},
+      {"edit_stroke", stroke_fields(), &R::edit_stroke},
+      {"move_stroke", {"stroke", "by", "layer", "place"}, &R::move_stroke},
+      {"delete_stroke", {"stroke"}, &R::delete_stroke},
       {"importance", {"nu", "delta"}, &R::importance},
       {"target", {"image", "importance"}, &R::target},
       {"clear_paint", kNone, &R::clear_paint},
@@ -238,6 +245,8 @@ Result<ScriptStrokes> ScriptRunner::strokes_of(const Action& action) const {
 
 Result<void> ScriptRunner::paint(const Action& action) {
   LUM_TRY(const ScriptStrokes given, strokes_of(action));
+  LUM_TRY(const auto layer, action.text("layer"));
+  if (layer) LUM_TRY_VOID(session_->layers().choose(*layer));
   return session_->paint(given.strokes, given.path);
 }
 

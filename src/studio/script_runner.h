@@ -50,6 +50,7 @@ class ScriptRunner {
     Result<void> (ScriptRunner::*run)(const Action&);
   };
   static const std::vector<Verb>& verbs();
+  static std::vector<std::string> stroke_fields();
 
   Result<void> open(const Action& action);
   Result<void> set(const Action& action);
@@ -69,6 +70,11 @@ class ScriptRunner {
   Result<void> importance(const Action& action);
   Result<void> target(const Action& action);
   Result<void> clear_paint(const Action& action);
+  Result<void> layer(const Action& action);
+  Result<void> remove_layer(const Action& action);
+  Result<void> edit_stroke(const Action& action);
+  Result<void> move_stroke(const Action& action);
+  Result<void> delete_stroke(const Action& action);
   Result<void> solve(const Action& action);
   Result<void> make_up(const Action& action);
   Result<void> alternatives(const Action& action);

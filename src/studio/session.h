@@ -13,6 +13,8 @@
 
 namespace luminist {
 
+class PaintLayers;
+
 /// One shot under work.
 ///
 /// Every call that changes something is one gesture: it is recorded as one command with what it did and what was asked
@@ -93,7 +95,8 @@ class Session : private SessionData {
   /// A target made elsewhere, in place of paint; other sizes are scaled, what is not finite does not count (both with a
   /// warning). Without an importance map every pixel counts 1. errors kBadContent.
   Result<void> set_target(const Image& color, const std::optional<Image>& importance);
-  Result<void> clear_paint();  ///< errors kNothingToDo
+  Result<void> clear_paint();  ///< Its layers, too. errors kNothingToDo
+  PaintLayers layers();        ///< and the strokes in them, to be changed (studio/paint_layers.h)
 
   // Solving --------------------------------------------------------------------------------------------------------
   /// Dark lights begin where the paint says. errors kNothingToDo: nothing painted, everything locked, nothing counts.
@@ -116,6 +119,8 @@ class Session : private SessionData {
   Result<void> accept();
   Result<void> adopt();  ///< The lights only: the paint stays for another solve. errors kNothingToDo.
   Result<void> revert();
+  /// A change by hand of what is shown: a proposal's lights come in force with it. Nothing changes if it fails.
+  Result<void> change_shown(const std::function<Result<void>(Session&)>& change);
   /// The proposal's, or that of the last accepted solve; null if there is none.
   [[nodiscard]] const Solved* solved();
 
@@ -127,6 +132,7 @@ class Session : private SessionData {
   Result<void> save_as(const std::filesystem::path& folder) { return project_.save_as(folder); }
 
  private:
+  friend class PaintLayers;
   explicit Session(SessionData data) : SessionData(std::move(data)) {}
   Result<Canvas*> canvas();
   Result<StartLight> start_light();

@@ -55,6 +55,8 @@ Result<Canvas*> Session::canvas() {
                 [this] { return render_shadow_pair(*stage_->renderer, state_); });
   LUM_TRY(CanvasState painted, read_paint(project_.document(), project_.tiles(), canvas.state()));
   canvas.restore(std::move(painted));
+  const LayerStack& layers = canvas.state().layers;
+  canvas.choose_layer(layers.find_layer(layer_).value_or(layers.layers.size() - 1));
   canvas_ = std::move(canvas);
   return &*canvas_;
 }
@@ -77,7 +79,7 @@ Result<void> Session::commit_canvas(const std::string& label, const std::string&
   Document document = project_.document();
   auto committed = write_paint(next, document, project_.tiles());
   if (committed) committed = commit(label, action, document);
-  if (!committed) canvas_.reset();
+  if (!committed || next.strokes == 0) canvas_.reset();  // unpainted, it shows the picture as it is now
   return committed;
 }
 
@@ -87,7 +89,9 @@ Result<void> Session::paint(const StrokeFile& strokes, const std::string& path) 
   }
   LUM_TRY(Canvas * canvas, this->canvas());
   LUM_TRY_VOID(canvas->apply(strokes, path));
-  const Json action = {{"do", "paint"}, {"strokes", Json::parse(strokes_to_json(strokes))}, {"path", path}};
+  const LayerStack& layers = canvas->state().layers;
+  Json action = {{"do", "paint"}, {"strokes", Json::parse(strokes_to_json(strokes))}, {"path", path}};
+  if (layers.layers.size() > 1) action["layer"] = layers.layers[layers.active].name;
   return commit_canvas("Paint " + count_of(strokes.strokes.size(), "stroke"), action.dump(), canvas->state());
 }
 
@@ -119,12 +123,16 @@ Result<void> Session::set_target(const Image& color, const std::optional<Image>&
   }
   // All of it counts as painted, its importance as painted over everything.
   next.strokes = 1;
+  next.peak.reset();
   std::fill(next.target.stroke.begin(), next.target.stroke.end(), 1U);
   std::fill(next.paint_left.data.begin(), next.paint_left.data.end(), 1.0F);
   next.importance.paint = Image(shot_.width, shot_.height, 2, 1.0F);
   for (std::size_t pixel = 0; pixel < next.target.importance.pixels(); ++pixel) {
     next.importance.paint.data[2 * pixel] = next.target.importance.data[pixel];
   }
+  next.layers = LayerStack();
+  next.layers.ground = std::make_shared<const PaintPlanes>(
+      PaintPlanes{next.target.color, next.paint_left, next.target.stroke, next.importance.paint});
   const Json action = {{"do", "target"}};
   canvas->restore(next);
   return commit_canvas("Take a picture as target", action.dump(), next);
@@ -136,9 +144,8 @@ Result<void> Session::clear_paint() {
   CanvasState next = canvas->state();
   next.strokes = 0;
   next.peak.reset();
-  LUM_TRY_VOID(commit_canvas("Clear the paint", Json{{"do", "clear_paint"}}.dump(), next));
-  canvas_.reset();
-  return {};
+  next.layers = LayerStack();
+  return commit_canvas("Clear the paint", Json{{"do", "clear_paint"}}.dump(), next);
 }
 
 }  // namespace luminist

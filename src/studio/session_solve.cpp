@@ -128,4 +128,29 @@ Result<void> Session::revert() {
   return {};
 }
 
+Result<void> Session::change_shown(const std::function<Result<void>(Session&)>& change) {
+  if (!has_proposal()) return change(*this);
+  ParamState in_force = std::exchange(state_, ParamState(shown()));
+  auto solve = std::exchange(solve_, std::nullopt);
+  auto proposed = std::exchange(proposed_, std::nullopt);
+  auto solved = std::exchange(solved_, std::nullopt);
+  const auto steps = [&] { return std::pair(project_.undo_steps(), project_.redo_steps()); };
+  const auto before = steps();
+  auto done = change(*this);
+  if (!done || (steps() == before && !has_proposal())) {
+    state_ = std::move(in_force);
+    solve_ = std::move(solve);
+    proposed_ = std::move(proposed);
+    solved_ = std::move(solved);
+    canvas_.reset();  // an unpainted one may show other lights
+    return done;
+  }
+  // What left the lights alone has not recorded them.
+  Document next = project_.document();
+  write_state(state_, next);
+  std::vector<Edit> edits = difference(project_.document(), next);
+  if (edits.empty()) return {};
+  return project_.execute({"Take the lights of a solve", Json{{"do", "adopt"}}.dump(), std::move(edits)});
+}
+
 }  // namespace luminist

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "studio/session.h"
+#include "studio/paint_layers.h"
 #include "verdict/judge.h"
 
 namespace luminist {
@@ -15,18 +15,6 @@ using Json = nlohmann::json;
 
 Error nothing_judged() {
   return {ErrorKind::kNothingToDo, "there is no solve to judge", "", "", "solve first"};
-}
-
-/// Importance as if it were painted wherever the last paint is that stroke's.
-CanvasState with_importance(const CanvasState& before, std::uint32_t stroke, float importance) {
-  CanvasState next = before;
-  if (next.importance.paint.empty()) {
-    next.importance.paint = Image(next.target.color.width, next.target.color.height, 2);
-  }
-  for (std::size_t pixel = 0; pixel < next.target.stroke.size(); ++pixel) {
-    if (next.target.stroke[pixel] == stroke) next.importance.put(pixel, importance, 1.0F);
-  }
-  return next;
 }
 
 }  // namespace
@@ -57,9 +45,10 @@ Result<void> Session::apply_remedy(std::uint32_t stroke) {
   const std::string action = Json{{"do", "remedy"}, {"stroke", stroke}, {"text", remedy.text}}.dump();
   ParamState next = state_;
   if (remedy.kind == Remedy::Kind::kImportance) {
-    LUM_TRY(Canvas * canvas, this->canvas());
-    canvas->restore(with_importance(canvas->state(), remedy.stroke, remedy.importance));
-    return commit_canvas(label, action, canvas->state());
+    LUM_TRY(const Canvas* canvas, this->canvas());
+    LayerStack layers = canvas->state().layers;
+    layers.counts[remedy.stroke] = remedy.importance;
+    return this->layers().commit(label, action, std::move(layers));
   }
   for (const std::string& pattern : remedy.patterns) LUM_TRY_VOID(luminist::set_locked(next, pattern, false));
   if (remedy.light) {

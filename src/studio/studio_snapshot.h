@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/image.h"
+#include "paint/layer_stack.h"
 #include "render/param_state.h"
 #include "render/surface_buffer.h"
 #include "scene/scene.h"
@@ -21,7 +22,18 @@ namespace luminist {
 struct PaintedPictures {
   Image color;                        ///< the target, linear RGB
   Image importance;                   ///< 1 channel
-  std::vector<std::uint32_t> stroke;  ///< [pixels] 1 + index of the last stroke that touched it; 0: unpainted
+  std::vector<std::uint32_t> stroke;  ///< [pixels] number of the last stroke that touched it; 0: unpainted
+};
+
+/// What the last event of the hand took, in seconds.
+struct EventCost {
+  double paint = 0.0;     ///< the stroke on the full canvas
+  double preview = 0.0;   ///< and on the small one
+  double retarget = 0.0;  ///< the solver takes the new target
+  double solve = 0.0;
+  double picture = 0.0;
+  double snapshot = 0.0;  ///< of the event before
+  [[nodiscard]] double total() const { return paint + preview + retarget + solve + picture + snapshot; }
 };
 
 /// The shot itself; another one after opening, restyling and undoing that.
@@ -63,6 +75,9 @@ struct StudioSnapshot {
   std::uint32_t unanswered = 0;
   std::uint64_t strokes_taken = 0;  ///< gestures of the hand that `painted` holds, since the thread began
   std::size_t points_taken = 0;     ///< of the stroke under the hand
+  EventCost cost;
+  std::shared_ptr<const LayerStack> layers;  ///< without pixels: what can be changed of the paint; never null
+  bool ground = false;                       ///< there is paint whose strokes are not known
   std::shared_ptr<const ParamState> shown;
   std::vector<std::string> solo;     ///< lights that alone are in the picture; none: all
   std::vector<std::string> waiting;  ///< lights that begin where the paint will say

@@ -74,6 +74,12 @@ void StudioThread::change(std::string label, Workbench::Task task, Workbench::Af
   });
 }
 
+void StudioThread::repaint(std::string label, Workbench::Task task) {
+  post(std::move(label), [task = std::move(task)](Workbench& bench) -> Result<void> {
+    return bench.has_session() ? bench.repaint(task) : Result<void>();
+  });
+}
+
 void StudioThread::begin_stroke(Stroke stroke, fs::path folder) {
   post("paint", [stroke = std::move(stroke), folder = std::move(folder)](Workbench& bench) -> Result<void> {
     if (!bench.has_session()) return {};

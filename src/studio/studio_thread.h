@@ -49,6 +49,7 @@ class StudioThread {
   void post(std::string label, Job job);
   void act(std::string label, Workbench::Task task, Workbench::After after = Workbench::After::kStay);
   void change(std::string label, Workbench::Task task, Workbench::After after = Workbench::After::kStay);
+  void repaint(std::string label, Workbench::Task task);
   void begin_stroke(Stroke stroke, std::filesystem::path folder);
   void extend_stroke(std::vector<StrokePoint> points);
   void end_stroke();

@@ -3,19 +3,13 @@
 #include <chrono>
 #include <filesystem>
 #include <functional>
-#include <map>
 #include <memory>
-#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "studio/exploration.h"
-#include "studio/live_painting.h"
-#include "studio/quick_stage.h"
-#include "studio/session.h"
-#include "studio/studio_snapshot.h"
-#include "studio/style_reload.h"
+#include "studio/workbench_data.h"
 
 namespace luminist {
 
@@ -26,8 +20,8 @@ namespace luminist {
 /// done. Lights follow while `live` is set and some of them are free; what they come to is the session's proposal.
 /// A session that was never saved is kept in a project below `unsaved`, so that a crash loses nothing.
 ///
-/// thread the device's. Errors leave everything as it was.
-class Workbench {
+/// thread the device's. Errors leave everything as it was; without a session they are kNothingToDo.
+class Workbench : private WorkbenchData {
  public:
   using Task = std::function<Result<void>(Session&)>;
   /// How lights go on after a task: they stay as they are, or follow the paint again.
@@ -53,11 +47,13 @@ class Workbench {
   Result<void> preview(const std::vector<std::string>& assignments);
   /// Anything else that a session does. Before it the lights that the brush found become the session's proposal.
   Result<void> act(const Task& task, After after = After::kStay);
-  /// The same, where the task changes lights by hand: a proposal's lights come in force first, so that what is shown
+  /// The same, where the task changes lights by hand: a proposal's lights come in force with it, so that what is shown
   /// is what is changed.
   Result<void> change(const Task& task, After after = After::kStay);
+  /// The same, where the task changes what is painted: the lights found so far stay the proposal and go on from there.
+  Result<void> repaint(const Task& task);
   Result<void> save_as(const std::filesystem::path& folder);
-  Result<void> sync_if_due() { return session_->sync_if_due(); }
+  Result<void> sync_if_due() { return session_ ? session_->sync_if_due() : Result<void>(); }
 
   /// Only these lights are in the picture that is shown; nothing is recorded. None: all.
   void set_solo(std::vector<std::string> lights);
@@ -71,8 +67,8 @@ class Workbench {
   Result<void> offer_diet(const ExploreWatch& watch);          ///< the same picture with fewer lights. cost minutes
   Result<void> take_offer(std::size_t offer);
 
-  /// On a machine without a graphics processor: gets a smaller stage ready for pictures while the brush moves.
-  /// errors those of QuickStage::open(). cost seconds, once a shot.
+  /// On a machine without a graphics processor: gets a smaller stage ready for pictures while the brush moves, one of
+  /// QuickStage::kSizes each time. errors those of QuickStage::open(). cost seconds, three times a shot.
   Result<void> prepare();
   /// Reads the style again if its files were written since the last call. returns whether they were.
   /// errors at the author's line; what is shown stays.
@@ -86,14 +82,9 @@ class Workbench {
   std::vector<std::string> take_warnings();
 
  private:
-  struct HeldStroke {
-    Stroke stroke;
-    std::filesystem::path folder;
-    bool live = false;   ///< goes to live_painting_, else to canvas_
-    bool quick = false;  ///< and to quick_painting_
-  };
   Result<void> adopt_session(std::unique_ptr<Session> session);
   Result<void> keep_unsaved();
+  [[nodiscard]] Result<void> need_session() const;
   [[nodiscard]] bool can_follow() const;
   Result<void> add_offer(std::vector<Offer>& offers, std::string title, const ParamState& lights, SolveReport report);
   [[nodiscard]] StrokeFile file_of(const Stroke& stroke) const;
@@ -101,50 +92,24 @@ class Workbench {
   Result<void> hand_canvas();
   Result<void> open_stroke(const Stroke& stroke, const std::filesystem::path& folder);
   Result<void> begin_quick(const Stroke& stroke, const std::filesystem::path& folder);
+  [[nodiscard]] const QuickStage& quick_stage() const;
   void end_quick();
+  void note_event(const LiveEvent& event, double paint);
   Result<void> finish_stroke();
+  Result<void> record(const Task& task);
   void drop_stroke();
   Result<void> put_proposal();
+  void keep_proposal();
+  [[nodiscard]] const KeptProposal* put_back_proposal();
   void forget_pictures();
   [[nodiscard]] std::uint32_t strokes() const;
   Result<void> refresh_pictures(StudioSnapshot& next);
+  Result<void> tell_layers(StudioSnapshot& next);
   void note_history();
   void tell_history(StudioSnapshot& next);
   void tell_solve(StudioSnapshot& next);
   [[nodiscard]] ShotFacts facts() const;
   [[nodiscard]] const ParamState& shown_lights() const;
-
-  Device* device_;
-  AssetRoots roots_;
-  std::filesystem::path unsaved_;
-  Diagnostics diagnostics_;
-  std::size_t warnings_told_ = 0;
-  std::unique_ptr<Session> session_;
-  std::optional<LivePainting> live_painting_;
-  std::optional<Canvas> canvas_;  ///< for strokes that no light follows, or only a quick one
-  std::unique_ptr<QuickStage> quick_stage_;
-  std::optional<LivePainting> quick_painting_;
-  std::optional<HeldStroke> stroke_;
-  std::optional<ParamState> trial_;  ///< of preview()
-  std::vector<std::string> solo_;
-  std::shared_ptr<const std::vector<Offer>> offers_;
-  std::optional<StyleFiles> style_files_;
-  bool live_ = true;
-  bool follow_again_ = false;  ///< the paint waits for lights that follow
-  bool resting_ = false;       ///< live_painting_ has more to gain
-  bool solving_ = false;
-  bool proposal_put_ = false;                  ///< the session's proposal is what live_painting_ shows
-  std::map<std::size_t, std::string> labels_;  ///< of commands, by index
-  std::size_t undo_seen_ = 0;
-  double start_epsilon_ = 0.0;  ///< error of what is painted on
-  double live_epsilon_ = 0.0;   ///< of the picture of live_painting_
-  std::uint32_t unanswered_ = 0;
-  std::uint64_t strokes_taken_ = 0, version_ = 0;
-  std::shared_ptr<const ShotFacts> facts_;
-  std::uint64_t facts_of_ = 0, unprepared_ = 0;  ///< ids of stages: the facts', and one that was tried to be had small
-  std::shared_ptr<const Image> picture_;
-  std::shared_ptr<const PaintedPictures> painted_;
-  std::chrono::steady_clock::time_point solve_shown_;
 };
 
 }  // namespace luminist

@@ -22,6 +22,7 @@ Result<void> Workbench::add_offer(std::vector<Offer>& offers, std::string title,
 }
 
 Result<void> Workbench::offer_alternatives(const ExploreWatch& watch) {
+  LUM_TRY_VOID(need_session());
   LUM_TRY_VOID(put_proposal());
   LUM_TRY(const Alternatives found, find_alternatives(*session_, AlternativesOptions{}, watch));
   std::vector<Offer> offers;
@@ -33,6 +34,7 @@ Result<void> Workbench::offer_alternatives(const ExploreWatch& watch) {
 }
 
 Result<void> Workbench::offer_diet(const ExploreWatch& watch) {
+  LUM_TRY_VOID(need_session());
   LUM_TRY_VOID(put_proposal());
   LUM_TRY(const Diet diet, find_diet(*session_, DietOptions{}, watch));
   std::vector<Offer> offers;
@@ -54,6 +56,7 @@ Result<void> Workbench::take_offer(std::size_t offer) {
   if (!offers || offer >= offers->size()) {
     return Error{ErrorKind::kNothingToDo, "there is no such offer any more", "", "", ""};
   }
+  LUM_TRY_VOID(need_session());
   if (stroke_) LUM_TRY_VOID(finish_stroke());
   const Offer& taken = (*offers)[offer];
   LUM_TRY(const Target* target, session_->target());
@@ -67,12 +70,16 @@ Result<void> Workbench::take_offer(std::size_t offer) {
 }
 
 Result<void> Workbench::prepare() {
-  if (!session_ || quick_stage_ || !device_->info().software || !QuickStage::helps(session_->shot())) return {};
-  if (unprepared_ == session_->stage().id) return {};  // it failed once, which was told
-  unprepared_ = session_->stage().id;
+  if (!session_ || !device_->info().software || !QuickStage::helps(session_->shot())) return {};
+  if (quick_stages_.size() == QuickStage::kSizes.size() || unprepared_ == session_->stage().id) return {};
   Diagnostics told_already;
-  LUM_TRY(quick_stage_, QuickStage::open(*device_, roots_, session_->shot(), session_->project().folder().parent_path(),
-                                         told_already));
+  auto stage = QuickStage::open(*device_, roots_, session_->shot(), QuickStage::kSizes[quick_stages_.size()],
+                                session_->project().folder().parent_path(), told_already);
+  if (!stage) {
+    unprepared_ = session_->stage().id;  // it fails again, which was told
+    return std::move(stage).error();
+  }
+  quick_stages_.push_back(std::move(*stage));
   return {};
 }
 
@@ -87,7 +94,8 @@ Result<bool> Workbench::refresh_style() {
   LUM_TRY_VOID(session_->reload_style());
   style_files_->follow(session_->stage().style);
   live_painting_.reset();
-  quick_stage_.reset();
+  quick_stages_.clear();
+  kept_.clear();
   canvas_.reset();
   trial_.reset();
   solving_ = resting_ = proposal_put_ = false;

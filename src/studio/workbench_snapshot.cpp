@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "project/layer_document.h"
+#include "studio/paint_layers.h"
 #include "studio/workbench.h"
 
 namespace luminist {
@@ -14,6 +16,8 @@ constexpr std::size_t kLabels = 60;  // commands that a list shows
 void Workbench::forget_pictures() {
   picture_.reset();
   painted_.reset();
+  painted_buffers_.note_all();
+  layers_.reset();
 }
 
 /// Labels of commands that were replaced by others are read again.
@@ -93,12 +97,22 @@ Result<void> Workbench::refresh_pictures(StudioSnapshot& next) {
     if (target == nullptr) {
       LUM_TRY(target, session_->target());
     }
-    painted_ =
-        std::make_shared<const PaintedPictures>(PaintedPictures{target->color, target->importance, target->stroke});
+    painted_ = painted_buffers_.show(*target);
     if (live_painting_ && !stroke_) start_epsilon_ = live_painting_->error_of(live_painting_->target().before);
   }
   next.picture = picture_;
   next.painted = painted_;
+  return {};
+}
+
+/// errors those of read_stack().
+Result<void> Workbench::tell_layers(StudioSnapshot& next) {
+  if (!layers_) {
+    LUM_TRY(LayerStack stack, session_->layers().stack());
+    layers_ = std::make_shared<const LayerStack>(std::move(stack));
+  }
+  next.layers = layers_;
+  next.ground = has_ground(session_->project().document());
   return {};
 }
 
@@ -119,14 +133,17 @@ void Workbench::tell_solve(StudioSnapshot& next) {
     report.termination = live_painting_->termination();
     report.evals = live_painting_->pictures();
     next.report = std::move(report);
-  } else if (const Solved* solved = session_->solved()) {
+  } else if (const Solved* solved = session_->solved(); solved != nullptr && session_->has_proposal()) {
     next.report = solved->report;
     next.verdict = solved->verdict;
   }
 }
 
 Result<std::shared_ptr<const StudioSnapshot>> Workbench::snapshot() {
+  const auto since = std::chrono::steady_clock::now();
   auto next = std::make_shared<StudioSnapshot>();
+  next->cost = cost_;
+  next->layers = std::make_shared<const LayerStack>();
   next->version = ++version_;
   next->live = live_;
   next->strokes_taken = strokes_taken_;
@@ -137,7 +154,7 @@ Result<std::shared_ptr<const StudioSnapshot>> Workbench::snapshot() {
   if (facts_of_ != session_->stage().id) {
     facts_ = std::make_shared<const ShotFacts>(facts());
     facts_of_ = session_->stage().id;
-    quick_stage_.reset();  // it was a smaller one of the stage before
+    quick_stages_.clear();  // they were smaller ones of the stage before
     style_files_.reset();
   }
   next->facts = facts_;
@@ -153,7 +170,9 @@ Result<std::shared_ptr<const StudioSnapshot>> Workbench::snapshot() {
   next->any_paint = session_->painted() || stroke_.has_value();
   next->unanswered = unanswered_;
   tell_solve(*next);
+  LUM_TRY_VOID(tell_layers(*next));
   tell_history(*next);
+  cost_.snapshot = std::chrono::duration<double>(std::chrono::steady_clock::now() - since).count();
   return std::shared_ptr<const StudioSnapshot>(next);
 }
 

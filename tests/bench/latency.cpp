@@ -1,5 +1,6 @@
 #include "bench/latency.h"
 
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <condition_variable>
@@ -90,6 +91,8 @@ class DrawingHand {
 
   std::vector<double> to_picture;
   std::vector<double> to_full;
+  std::vector<EventCost> costs;  ///< of the rounds that answered
+  int width = 0;                 ///< of the picture that answered last
 
  private:
   void move(const std::vector<StrokePoint>& points) {
@@ -116,6 +119,11 @@ class DrawingHand {
   /// Events that a snapshot holds have been answered.
   void look(const StudioSnapshot& now, std::uint64_t taken) {
     const bool whole = now.strokes_taken > taken;
+    if (!whole && now.version != seen_ && now.points_taken > 1) {
+      costs.push_back(now.cost);
+      width = now.picture->width;
+    }
+    seen_ = now.version;
     while (!sent_.empty() && (whole || sent_.front().points <= now.points_taken)) {
       to_picture.push_back(since(sent_.front().moment));
       sent_.erase(sent_.begin());
@@ -125,7 +133,26 @@ class DrawingHand {
   StudioThread* studio_;
   Watcher* watcher_;
   std::vector<Sent> sent_;
+  std::uint64_t seen_ = 0;
 };
+
+/// The middle of one part of all rounds, in seconds.
+double middle(const std::vector<EventCost>& costs, double EventCost::*part) {
+  std::vector<double> seconds;
+  for (const EventCost& cost : costs) seconds.push_back(cost.*part);
+  return latency_of(std::move(seconds)).median;
+}
+
+struct Part {
+  const char* name;
+  double EventCost::*seconds;
+};
+constexpr std::array<Part, 6> kParts = {{{"paint", &EventCost::paint},
+                                         {"preview paint", &EventCost::preview},
+                                         {"new target", &EventCost::retarget},
+                                         {"solve", &EventCost::solve},
+                                         {"picture", &EventCost::picture},
+                                         {"snapshot", &EventCost::snapshot}}};
 
 nlohmann::json to_json(const Latency& latency) {
   return {{"median", latency.median}, {"p95", latency.p95}, {"max", latency.most}};
@@ -150,7 +177,7 @@ Result<void> run_latency(const LatencyOptions& options) {
   shot.height = options.height;
   studio.post("open", [shot](Workbench& bench) -> Result<void> {
     LUM_TRY_VOID(bench.open(shot, "."));
-    LUM_TRY_VOID(bench.prepare());
+    for (std::size_t i = 0; i < QuickStage::kSizes.size(); ++i) LUM_TRY_VOID(bench.prepare());
     return bench.act([](Session& session) -> Result<void> {
       LUM_TRY_VOID(session.add_light({.dark = true}));
       return {};
@@ -161,7 +188,7 @@ Result<void> run_latency(const LatencyOptions& options) {
   // The first stroke compiles what shaders there are; it is painted twice and counted once.
   for (int round = 0; round < 2; ++round) {
     LUM_TRY_VOID(hand.draw(strokes.strokes.size() > 1 ? strokes.strokes[1] : strokes.strokes.front()));
-    if (round == 0) hand.to_picture.clear(), hand.to_full.clear();
+    if (round == 0) hand.to_picture.clear(), hand.to_full.clear(), hand.costs.clear();
   }
   for (std::size_t i = 2; i < strokes.strokes.size(); ++i) {
     std::this_thread::sleep_for(std::chrono::milliseconds(250));
@@ -171,16 +198,23 @@ Result<void> run_latency(const LatencyOptions& options) {
   const Latency to_picture = latency_of(std::move(hand.to_picture));
   const Latency to_full = latency_of(std::move(hand.to_full));
   if (options.json) {
+    nlohmann::json parts;
+    for (const Part& part : kParts) parts[part.name] = middle(hand.costs, part.seconds);
     const nlohmann::json line = {{"width", options.width},
                                  {"height", options.height},
+                                 {"preview_width", hand.width},
                                  {"events", events},
+                                 {"parts", parts},
                                  {"event_to_picture", to_json(to_picture)},
                                  {"stroke_to_full", to_json(to_full)}};
     std::printf("%s\n", line.dump().c_str());
   } else {
-    std::printf("%d x %d, %zu events\n", options.width, options.height, events);
+    std::printf("%d x %d, %zu events, the preview %d wide\n", options.width, options.height, events, hand.width);
     print("event to picture", to_picture);
     print("stroke to full", to_full);
+    std::printf("a round, medians:");
+    for (const Part& part : kParts) std::printf("  %s %.1f", part.name, 1e3 * middle(hand.costs, part.seconds));
+    std::printf(" ms\n");
   }
   return {};
 }

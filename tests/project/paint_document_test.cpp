@@ -5,6 +5,7 @@
 #include <cstring>
 #include <limits>
 
+#include "project/layer_document.h"
 #include "support/fixtures.h"
 
 namespace luminist {
@@ -92,7 +93,9 @@ TEST(PaintDocument, AStrokeChangesTheTilesUnderIt) {
   for (const Edit& edit : difference(before, after)) {
     // The dab has a radius of 7 pixels around (21, 21), its tail ends within the first tile.
     const bool in_first_tile = edit.path.ends_with("/0,0");
-    EXPECT_TRUE(in_first_tile || edit.path == "paint/strokes") << edit.path;
+    const bool of_strokes =
+        edit.path == "paint/strokes" || edit.path == "paint/layers/0" || edit.path == "paint/kept/2";
+    EXPECT_TRUE(in_first_tile || of_strokes) << edit.path;
   }
 }
 
@@ -128,6 +131,101 @@ TEST(PaintDocument, KeepsPixelsThatAreNotNumbers) {
   LUM_EXPECT_OK(write_paint(state, document, tiles));
   LUM_ASSERT_OK(const CanvasState read, read_paint(document, tiles, painted.canvas.state()));
   EXPECT_TRUE(same_bits(read.target.color, state.target.color));
+}
+
+TEST(PaintDocument, KeepsLayersAndTheirStrokes) {
+  Painted painted;
+  painted.canvas = Canvas(painted.surface, painted.picture, []() -> Result<ShadowPair> {
+    return ShadowPair{Image(150, 70, 3, 0.05F), Image(150, 70, 3, 0.9F)};
+  });
+  LayerStack stack;
+  stack.layers.push_back({.name = "Rim \"light\"", .visible = true, .opacity = 0.3F});
+  LUM_EXPECT_OK(painted.canvas.relayer(stack, ""));
+  LUM_EXPECT_OK(painted.canvas.apply(stroke_at(0.5F, 0.5F), ""));
+  painted.canvas.choose_layer(1);
+  Stroke shadow = stroke_at(0.6F, 0.5F);
+  shadow.brush.tool = PaintTool::kShadow;
+  shadow.brush.repeat_peak = true;
+  LUM_EXPECT_OK(painted.canvas.apply(shadow, ""));
+  stack = painted.canvas.state().layers;
+  stack.counts[2] = 0.4F;
+  LUM_EXPECT_OK(painted.canvas.relayer(stack, ""));
+  Document document;
+  TileStore tiles;
+  LUM_EXPECT_OK(write_paint(painted.canvas.state(), document, tiles));
+  Canvas other(painted.surface, painted.picture, nullptr);
+  LUM_ASSERT_OK(const CanvasState read, read_paint(document, tiles, other.state()));
+  const LayerStack& layers = read.layers;
+  ASSERT_EQ(layers.layers.size(), 2U);
+  EXPECT_EQ(layers.layers[1].name, "Rim \"light\"");
+  EXPECT_EQ(layers.layers[1].opacity, 0.3F);
+  EXPECT_EQ(layers.layers[1].strokes, std::vector<std::uint32_t>{2});
+  EXPECT_EQ(layers.counts.at(2), 0.4F);
+  EXPECT_EQ(layers.strokes.at(2)->stroke.points[0].x, 0.6F);
+  ASSERT_TRUE(layers.strokes.at(2)->peak);
+  ASSERT_TRUE(layers.strokes.at(2)->source);
+  EXPECT_EQ(layers.ground, nullptr);
+  // Laid again they are what was read.
+  other.restore(read);
+  LUM_EXPECT_OK(other.relayer(read.layers, ""));
+  EXPECT_TRUE(same_bits(other.target().color, read.target.color));
+  EXPECT_TRUE(same_bits(other.target().importance, read.target.importance));
+  Document second;
+  LUM_EXPECT_OK(write_paint(other.state(), second, tiles));
+  EXPECT_EQ(second.hash(), document.hash());
+}
+
+TEST(PaintDocument, PaintOfAProjectThatKnowsNoLayersLiesUnderThem) {
+  Painted painted;
+  LUM_EXPECT_OK(painted.canvas.apply(stroke_at(0.5F, 0.5F), ""));
+  Document old;
+  TileStore tiles;
+  LUM_EXPECT_OK(write_paint(painted.canvas.state(), old, tiles));
+  old.erase_below("paint/layers/");
+  old.erase_below("paint/kept/");
+  Canvas canvas(painted.surface, painted.picture, nullptr);
+  LUM_ASSERT_OK(CanvasState read, read_paint(old, tiles, canvas.state()));
+  ASSERT_TRUE(read.layers.ground);
+  EXPECT_TRUE(has_ground(old));
+  canvas.restore(std::move(read));
+  // More paint, and the eraser, are as they were before there were layers.
+  Stroke eraser = stroke_at(0.55F, 0.5F);
+  eraser.brush.tool = PaintTool::kErase;
+  for (const Stroke& stroke : {stroke_at(0.6F, 0.5F), eraser}) {
+    LUM_EXPECT_OK(canvas.apply(stroke, ""));
+    LUM_EXPECT_OK(painted.canvas.apply(stroke, ""));
+  }
+  EXPECT_TRUE(same_bits(canvas.target().color, painted.canvas.target().color));
+  EXPECT_EQ(canvas.target().stroke, painted.canvas.target().stroke);
+  Document document;
+  LUM_EXPECT_OK(write_paint(canvas.state(), document, tiles));
+  LUM_ASSERT_OK(const CanvasState again, read_paint(document, tiles, painted.canvas.state()));
+  EXPECT_TRUE(same_bits(again.layers.ground->color, canvas.state().layers.ground->color));
+  canvas.restore(again);
+  LUM_EXPECT_OK(canvas.relayer(again.layers, ""));
+  EXPECT_TRUE(same_bits(canvas.target().color, painted.canvas.target().color));
+}
+
+TEST(PaintDocument, NamesWhatItCannotReadOfLayers) {
+  Painted painted;
+  LUM_EXPECT_OK(painted.canvas.apply(stroke_at(0.3F, 0.3F), ""));
+  Document whole;
+  TileStore tiles;
+  LUM_EXPECT_OK(write_paint(painted.canvas.state(), whole, tiles));
+  const std::vector<std::pair<std::string, std::string>> wrong = {
+      {"paint/kept/1", "7"},
+      {"paint/kept/1", R"({"stroke":{"points":[[1e9,0]]}})"},
+      {"paint/kept/x", "{}"},
+      {"paint/layers/0", R"({"name":"a","visible":true,"opacity":1})"},
+      {"paint/layers/0", R"({"name":"a","visible":true,"opacity":1,"strokes":[1,2]})"},
+      {"paint/layers/0", R"({"name":"a","visible":true,"opacity":7,"strokes":[1]})"},
+      {"paint/kept/9", R"({"stroke":{"points":[[0,0]]}})"},
+      {"paint/counts/1", "-1"}};
+  for (const auto& [path, value] : wrong) {
+    Document document = whole;
+    document.set(path, value);
+    EXPECT_EQ(error_of(read_paint(document, tiles, painted.canvas.state())).kind, ErrorKind::kBadContent) << value;
+  }
 }
 
 TEST(PaintDocument, NamesWhatItCannotRead) {

@@ -4,6 +4,7 @@
 #include <cstdlib>
 #include <random>
 
+#include "studio/paint_layers.h"
 #include "studio/session_fixture.h"
 
 namespace luminist {
@@ -22,7 +23,7 @@ class MonkeyTest : public SessionTest {
   void act() {
     const auto ignore = [](const auto& result) { (void)result; };
     const std::string name = fmt::format("light{}", draw(3) == 0 ? "" : "-2");
-    switch (draw(20)) {
+    switch (draw(25)) {
       case 0:
         return ignore(session_->add_light({.from_paint = draw(2) == 0}));
       case 1:
@@ -61,6 +62,14 @@ class MonkeyTest : public SessionTest {
         return ignore(session_->set_target(Image(9, 7, 3, 0.5F), std::nullopt));
       case 18:
         return ignore(session_->constrain({fmt::format("lights/{} on ceiling", name)}));
+      case 19:
+        return ignore(session_->layers().add());
+      case 20:
+        return ignore(session_->layers().set_opacity(fmt::format("Layer {}", 1 + draw(3)), 0.25F * draw(6)));
+      case 21:
+        return ignore(session_->layers().move(draw(9), {0.1F, 0.0F}));
+      case 22:
+        return ignore(session_->layers().remove_stroke(draw(9)));
       default:
         return ignore(session_->paint(light_strokes(), "strokes.json"));
     }

@@ -5,61 +5,13 @@
 
 #include <fmt/format.h>
 
-#include "studio/session_fixture.h"
+#include "studio/paint_layers.h"
+#include "studio/workbench_fixture.h"
 
 namespace luminist {
 namespace {
 
 using std::chrono::milliseconds;
-
-class WorkbenchTest : public SessionTest {
- protected:
-  void SetUp() override {
-    SessionTest::SetUp();
-    session_.reset();
-    bench_ = std::make_unique<Workbench>(*device_, roots_, folder_.path() / "unsaved");
-    LUM_EXPECT_OK(bench_->open(shot(), folder_.path()));
-  }
-  void TearDown() override { bench_.reset(); }
-
-  std::shared_ptr<const StudioSnapshot> look() {
-    auto snapshot = bench_->snapshot();
-    EXPECT_TRUE(snapshot) << snapshot.error().message();
-    return *snapshot;
-  }
-  std::string document_hash() {
-    std::string hash;
-    LUM_EXPECT_OK(bench_->act([&](Session& session) -> Result<void> {
-      hash = session.project().document().hash();
-      return {};
-    }));
-    return hash;
-  }
-  void add_dark_light() {
-    LUM_EXPECT_OK(bench_->act([](Session& session) -> Result<void> {
-      NewLight wanted;
-      wanted.dark = true;
-      LUM_TRY_VOID(session.add_light(wanted));
-      return {};
-    }));
-  }
-  /// The fixture's stroke as a hand draws it.
-  void draw_stroke() {
-    const Stroke whole = light_strokes().strokes.front();
-    LUM_EXPECT_OK(bench_->begin_stroke({whole.brush, {whole.points.front()}}, folder_.path()));
-    LUM_EXPECT_OK(bench_->extend_stroke(std::span(whole.points).subspan(1)));
-    LUM_EXPECT_OK(bench_->end_stroke());
-  }
-  void rest() {
-    for (int i = 0; i < 2000; ++i) {
-      LUM_ASSERT_OK(const bool more, bench_->step(milliseconds(5)));
-      if (!more) return;
-    }
-    ADD_FAILURE() << "the lights never come to rest";
-  }
-
-  std::unique_ptr<Workbench> bench_;
-};
 
 TEST_F(WorkbenchTest, AStrokeOfTheHandIsOneCommandAndItsLightAProposal) {
   add_dark_light();
@@ -269,11 +221,48 @@ Workbench::Task session_gesture(std::mt19937& random, const std::string& name, b
   }
 }
 
+/// Layers and strokes, there or not.
+Workbench::Task paint_gesture(std::mt19937& random, bool yes) {
+  const std::string layer = fmt::format("Layer {}", 1 + random() % 3);
+  const auto stroke = static_cast<std::uint32_t>(random() % 6);
+  const auto place = static_cast<std::size_t>(random() % 3);
+  switch (random() % 9) {
+    case 0:
+      return [=](Session& s) -> Result<void> {
+        LUM_TRY_VOID(s.layers().add(""));
+        return {};
+      };
+    case 1:
+      return [=](Session& s) { return s.layers().remove(layer); };
+    case 2:
+      return [=](Session& s) { return s.layers().set_visible(layer, yes); };
+    case 3:
+      return [=](Session& s) { return s.layers().set_opacity(layer, yes ? 1.0F : 0.5F); };
+    case 4:
+      return [=](Session& s) { return yes ? s.layers().merge_down(layer) : s.layers().place(layer, place); };
+    case 5:
+      return [=](Session& s) { return s.layers().choose(layer); };
+    case 6: {
+      Brush brush;
+      brush.tool = static_cast<PaintTool>(random() % 8);
+      brush.gradient = yes ? 1.0F : 0.0F;
+      brush.repeat_peak = random() % 2 == 0;
+      return [=](Session& s) { return s.layers().set_brush(stroke, brush, "strokes.json"); };
+    }
+    case 7:
+      return [=](Session& s) {
+        return yes ? s.layers().move(stroke, {0.1F, 0.05F}) : s.layers().remove_stroke(stroke);
+      };
+    default:
+      return [=](Session& s) { return s.layers().place_stroke(stroke, layer, place); };
+  }
+}
+
 /// One gesture that a window offers.
 void monkey(Workbench& bench, std::mt19937& random, const Stroke& stroke, const std::filesystem::path& folder) {
   const std::string name = random() % 2 == 0 ? "light" : "light-2";
   const bool yes = random() % 2 == 0;
-  switch (random() % 20) {
+  switch (random() % 24) {
     case 0:
       return ignore(bench.preview({fmt::format("lights/{}/color=0.5,1,1", name)}));
     case 1:
@@ -295,6 +284,11 @@ void monkey(Workbench& bench, std::mt19937& random, const Stroke& stroke, const 
     case 10:
     case 11:
       return canvas_gesture(bench, random, stroke, folder);
+    case 12:
+    case 13:
+    case 14:
+    case 15:
+      return ignore(bench.repaint(paint_gesture(random, yes)));
     default: {
       const Workbench::Task task = session_gesture(random, name, yes);
       const auto after = random() % 2 == 0 ? Workbench::After::kFollow : Workbench::After::kStay;

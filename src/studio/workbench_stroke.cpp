@@ -1,0 +1,262 @@
+// The part of a workbench that paints.
+#include <algorithm>
+#include <utility>
+
+#include "studio/workbench.h"
+
+namespace luminist {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Copies of a stroke are looked for beside the file that it came from.
+std::string file_in(const fs::path& folder) {
+  return (folder / "strokes.json").string();
+}
+
+}  // namespace
+
+/// Lights follow from what is shown now.
+Result<void> Workbench::follow() {
+  LUM_TRY(Canvas canvas, session_->canvas_copy());
+  const ParamState& start = session_->shown();
+  live_painting_.emplace(session_->stage(), std::move(canvas), start, waiting_lights(start.rig),
+                         LivePainting::Options{});
+  proposal_put_ = false;
+  painted_buffers_.note_all();
+  start_epsilon_ = live_painting_->error_of(live_painting_->target().before);
+  return {};
+}
+
+Result<void> Workbench::hand_canvas() {
+  if (canvas_) return {};
+  painted_buffers_.note_all();
+  LUM_TRY(canvas_, session_->canvas_copy());
+  return {};
+}
+
+Result<void> Workbench::begin_stroke(const Stroke& stroke, const fs::path& folder) {
+  LUM_TRY_VOID(need_session());
+  auto begun = open_stroke(stroke, folder);
+  if (!begun) drop_stroke();  // half of it may be on a canvas
+  return begun;
+}
+
+Result<void> Workbench::open_stroke(const Stroke& stroke, const fs::path& folder) {
+  if (stroke_) LUM_TRY_VOID(finish_stroke());
+  trial_.reset();
+  if (std::exchange(solving_, false)) session_->stop_solve();
+  LUM_TRY_VOID(put_proposal());
+  const bool follows = can_follow();
+  const bool quick = follows && !quick_stages_.empty();
+  const bool live = follows && !quick;
+  if (quick) {
+    LUM_TRY_VOID(begin_quick(stroke, folder));
+  } else if (live) {
+    if (!live_painting_) LUM_TRY_VOID(follow());
+    LUM_TRY(const LiveEvent event, live_painting_->begin(stroke, folder.string()));
+    note_event(event, 0.0);
+  } else {
+    live_painting_.reset();
+    LUM_TRY_VOID(hand_canvas());
+    LUM_TRY(const PixelBox box, canvas_->begin_stroke(stroke, folder.string()));
+    painted_buffers_.note(box);
+  }
+  stroke_ = {stroke, folder, live, quick};
+  proposal_put_ = follow_again_ = false;
+  if (unanswered_ == 0) unanswered_ = strokes() + 1;
+  painted_.reset();
+  if (!quick || quick_painting_->has_lights()) picture_.reset();
+  return {};
+}
+
+/// The largest that is quick enough, or else the smallest that is ready.
+const QuickStage& Workbench::quick_stage() const {
+  const auto fits = [&](const auto& stage) { return stage->pixels() <= 1.3 * quick_size_.pixels(); };
+  const auto found = std::find_if(quick_stages_.begin(), quick_stages_.end(), fits);
+  return found == quick_stages_.end() ? *quick_stages_.back() : **found;
+}
+
+/// The full canvas takes the stroke for the eye, the small one for the lights.
+Result<void> Workbench::begin_quick(const Stroke& stroke, const fs::path& folder) {
+  live_painting_.reset();
+  LUM_TRY_VOID(hand_canvas());
+  const ParamState& start = session_->shown();
+  LUM_TRY(LivePainting painting,
+          quick_stage().paint(canvas_->state(), session_->state(), start, waiting_lights(start.rig)));
+  LUM_TRY(const PixelBox box, canvas_->begin_stroke(stroke, folder.string()));
+  painted_buffers_.note(box);
+  LUM_TRY(const LiveEvent event, painting.begin(stroke, folder.string()));
+  live_epsilon_ = event.epsilon;
+  quick_painting_ = std::move(painting);
+  return {};
+}
+
+/// What the event took; paint: on a full canvas beside the small one, in seconds, or 0.
+void Workbench::note_event(const LiveEvent& event, double paint) {
+  live_epsilon_ = event.epsilon;
+  const double snapshot = cost_.snapshot;
+  cost_ = paint > 0.0 ? EventCost{paint, event.paint, event.retarget, event.solve, event.picture, snapshot}
+                      : EventCost{event.paint, 0.0, event.retarget, event.solve, event.picture, snapshot};
+  if (paint > 0.0) {
+    quick_size_.note(cost_.total(), quick_stage().pixels());
+  } else {
+    painted_buffers_.note(event.painted);
+  }
+}
+
+/// What the small pictures found is the proposal from which the full ones go on.
+void Workbench::end_quick() {
+  if (quick_painting_ && quick_painting_->has_lights()) {
+    SolveReport report;
+    report.solver = "live";
+    report.epsilon_start = start_epsilon_;
+    report.epsilon = live_epsilon_;
+    session_->propose(quick_painting_->best(), {{}, report, canvas_->target(), "Accept a live solve"});
+  }
+  quick_painting_.reset();
+  follow_again_ = true;
+}
+
+Result<void> Workbench::extend_stroke(std::span<const StrokePoint> points) {
+  if (!stroke_ || points.empty()) return {};
+  // First, so that what is recorded is what the canvas got, whatever becomes of the lights.
+  stroke_->stroke.points.insert(stroke_->stroke.points.end(), points.begin(), points.end());
+  double paint = 0.0;
+  if (stroke_->live) {
+    LUM_TRY(const LiveEvent event, live_painting_->extend(points));
+    note_event(event, 0.0);
+  } else {
+    const auto since = std::chrono::steady_clock::now();
+    LUM_TRY(const PixelBox box, canvas_->extend_stroke(points));
+    painted_buffers_.note(box);
+    paint = std::chrono::duration<double>(std::chrono::steady_clock::now() - since).count();
+  }
+  bool changed = !stroke_->quick;
+  if (stroke_->quick) {
+    LUM_TRY(const LiveEvent event, quick_painting_->extend(points));
+    note_event(event, std::max(paint, 1e-9));
+    const bool other = picture_ && quick_painting_->has_lights() && !picture_->same_size(quick_painting_->picture());
+    changed = event.changed || other;
+  }
+  painted_.reset();
+  if (changed) picture_.reset();
+  return {};
+}
+
+Result<void> Workbench::end_stroke() {
+  ++strokes_taken_;
+  return session_ ? finish_stroke() : Result<void>();
+}
+
+Result<void> Workbench::finish_stroke() {
+  if (!stroke_) return {};
+  const HeldStroke held = *std::exchange(stroke_, std::nullopt);
+  auto done = held.live ? live_painting_->end() : canvas_->end_stroke();
+  if (done) {
+    done = record([&](Session& session) { return session.paint(file_of(held.stroke), file_in(held.folder)); });
+  }
+  if (!done) {
+    drop_stroke();
+    return done;
+  }
+  resting_ = held.live;
+  painted_.reset();
+  if (held.quick) {
+    end_quick();  // its picture stays until there is a full one
+  } else {
+    picture_.reset();
+  }
+  return {};
+}
+
+/// What paints is recorded; the lights that were found for what was painted before stay a proposal.
+Result<void> Workbench::record(const Task& task) {
+  keep_proposal();
+  const Project& project = session_->project();
+  const std::size_t before = project.undo_steps();
+  const Solved* solved = session_->solved();
+  std::optional<ParamState> lights;
+  std::optional<Solved> report;
+  if (session_->has_proposal() && solved != nullptr) lights = session_->shown(), report = *solved;
+  LUM_TRY_VOID(task(*session_));
+  if (project.undo_steps() != before) kept_.erase(kept_.lower_bound(before + 1), kept_.end());
+  if (lights && session_->painted() && !session_->has_proposal()) {
+    report->verdict.reset();  // it was of other paint
+    session_->propose(std::move(*lights), std::move(*report));
+  }
+  proposal_put_ = false;
+  layers_.reset();
+  note_history();
+  return {};
+}
+
+Result<void> Workbench::repaint(const Task& task) {
+  LUM_TRY_VOID(need_session());
+  if (stroke_) LUM_TRY_VOID(finish_stroke());
+  if (std::exchange(solving_, false)) session_->stop_solve();
+  LUM_TRY_VOID(put_proposal());
+  const std::size_t before = session_->project().undo_steps();
+  layers_.reset();  // one layer may be chosen in place of another
+  auto done = record(task);
+  if (session_->project().undo_steps() == before) {
+    follow_again_ = follow_again_ || std::exchange(resting_, false);
+    live_painting_.reset();
+    canvas_.reset();
+    painted_buffers_.note_all();
+    return done;
+  }
+  trial_.reset();
+  live_painting_.reset();
+  canvas_.reset();
+  resting_ = false;
+  follow_again_ = live_ && session_->painted();
+  unanswered_ = session_->painted() ? 1 : 0;
+  forget_pictures();
+  return done;
+}
+
+void Workbench::cancel_stroke() {
+  ++strokes_taken_;
+  if (session_) drop_stroke();
+}
+
+void Workbench::drop_stroke() {
+  stroke_.reset();
+  live_painting_.reset();
+  quick_painting_.reset();
+  canvas_.reset();
+  follow_again_ = session_->painted();
+  if (unanswered_ > strokes()) unanswered_ = 0;
+  forget_pictures();
+}
+
+Result<void> Workbench::lay(const Stroke& stroke, const fs::path& folder) {
+  LUM_TRY_VOID(need_session());
+  if (stroke_) LUM_TRY_VOID(finish_stroke());
+  if (std::exchange(solving_, false)) session_->stop_solve();
+  trial_.reset();
+  ++strokes_taken_;
+  const std::uint32_t first = strokes() + 1;
+  if (can_follow() && quick_stages_.empty()) {
+    if (!live_painting_) LUM_TRY_VOID(follow());
+    LUM_TRY(const LiveEvent event, live_painting_->bucket(stroke, folder.string()));
+    note_event(event, 0.0);
+    resting_ = true;
+  } else {
+    LUM_TRY_VOID(put_proposal());
+    live_painting_.reset();
+    canvas_.reset();
+    follow_again_ = can_follow();
+  }
+  auto done = record([&](Session& session) { return session.paint(file_of(stroke), file_in(folder)); });
+  if (!done) {
+    drop_stroke();
+    return done;
+  }
+  if (unanswered_ == 0) unanswered_ = first;
+  forget_pictures();
+  return {};
+}
+
+}  // namespace luminist
