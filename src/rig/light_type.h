@@ -17,8 +17,8 @@ enum class ShadowKind {
   kSun,  ///< parallel rays: all of the scene
 };
 
-/// shaders/light/<name>.toml: `doc`, `shadow = "none" | "spot" | "cube" | "sun"` and [[param]] tables; <name>.glsl beside it
-/// defines `LightSample sample_<name>(<Struct> light, Surface s)`.
+/// shaders/light/<name>.toml: `doc`, `shadow = "none" | "spot" | "cube" | "sun"` and [[param]] tables; <name>.glsl
+/// beside it defines `LightSample sample_<name>(<Struct> light, Surface s)`.
 struct LightType {
   std::string name;
   std::string doc;

@@ -71,7 +71,9 @@ Result<SolvedFrame> outcome(SharedSolve& solve, std::size_t k, FrameView& view, 
   done.found = errors.found;
   const ParamState state = solve.state(k);
   LUM_TRY(const Image picture, view.renderer->render(state));
-  if (judged) LUM_TRY(done.verdict, judge(*view.renderer, state, view.canvas.target(), picture));
+  if (judged) {
+    LUM_TRY(done.verdict, judge(*view.renderer, state, view.canvas.target(), picture));
+  }
   Canvas rebased = view.canvas;
   rebased.rebase(picture);
   LUM_TRY_VOID(write_paint(rebased.state(), done.accepted, tiles));
