@@ -18,10 +18,11 @@ uniform uint first;  // index of the light's first visibility
 uniform vec3 light_position;
 uniform mat3 views[6];  // right, up and axis of each view as rows
 uniform bool cube;
-uniform float near_plane;
-uniform float extent;    // tangent that a view covers to each side
-uniform float softness;  // tangent of the filter's radius
-uniform float texel;     // width of a texel at distance 1
+uniform bool sun;          // parallel rays: lengths are world units, not tangents
+uniform float near_plane;  // of a sun half the range of depth
+uniform float extent;      // tangent that a view covers to each side
+uniform float softness;    // tangent of the filter's radius
+uniform float texel;       // width of a texel at distance 1
 uniform vec2 disc[kMostTaps];
 uniform int taps;
 
@@ -31,6 +32,23 @@ int view_towards(vec3 way) {
   if (a.x >= a.y && a.x >= a.z) return way.x > 0.0 ? 0 : 1;
   if (a.y >= a.z) return way.y > 0.0 ? 2 : 3;
   return way.z > 0.0 ? 4 : 5;
+}
+
+// The same for parallel rays.
+float lit_by_sun(vec3 p, vec3 n, float shadow_slack) {
+  mat3 view = views[0];
+  vec3 facing = view * n;
+  float sine = sqrt(max(0.0, 1.0 - facing.z * facing.z));
+  vec3 seen = view * (p + n * (texel * (0.75 + 0.75 * sine) + shadow_slack) - light_position);
+  if (max(abs(seen.x), abs(seen.y)) > extent) return 1.0;
+  vec2 slope = softness / max(-facing.z, kLeastCosine) * facing.xy;
+  float lit = 0.0;
+  for (int i = 0; i < taps; ++i) {
+    float lift = kPull * softness * length(disc[i]) + max(-dot(slope, disc[i]), 0.0);
+    vec2 uv = 0.5 + 0.5 * (seen.xy + softness * disc[i]) / extent;
+    lit += texture(depth_map, vec4(uv, 0.0, 0.5 - 0.5 * (seen.z - lift) / near_plane));
+  }
+  return lit / float(taps);
 }
 
 float lit_share(vec3 p, vec3 n, float shadow_slack) {
@@ -70,7 +88,7 @@ float lit_share(vec3 p, vec3 n, float shadow_slack) {
 // What faces away from a light is in its object's own shadow, whatever mesh blocks light in the object's stead.
 float share_before_own_shadow(vec3 p, vec3 n) {
   vec3 to_light = light_position - p;
-  float cosine = dot(to_light, n) / max(length(to_light), 1e-20);
+  float cosine = sun ? -(views[0] * n).z : dot(to_light, n) / max(length(to_light), 1e-20);
   return clamp(1.0 + cosine / kOwnShadowEdge, 0.0, 1.0);
 }
 
@@ -82,7 +100,8 @@ void main() {
   if (p.w != 0u) {
     vec3 place = uintBitsToFloat(p.xyz);
     float shadow_slack = slack[p.w - 1u];
-    lit = lit_share(place, normal[index].xyz, shadow_slack);
+    vec3 facing = normal[index].xyz;
+    lit = sun ? lit_by_sun(place, facing, shadow_slack) : lit_share(place, facing, shadow_slack);
     if (shadow_slack > 0.0) lit *= share_before_own_shadow(place, normal[index].xyz);
   }
   visibility[first + index] = lit;

@@ -8,6 +8,7 @@
 #include "app/kept_sessions.h"
 #include "app/panels.h"
 #include "app/questions.h"
+#include "app/shots_panel.h"
 
 namespace luminist {
 namespace {
@@ -56,6 +57,7 @@ void view_menu(Desk& desk) {
   item(desk, "Fit the picture", Deed::kFit);
   item(desk, "Full size", Deed::kFullSize);
   item(desk, "Hide the panels", Deed::kHidePanels);
+  if (ImGui::MenuItem("Frames and keys", nullptr, shots_shown(desk))) desk.show_shots = !shots_shown(desk);
   item(desk, "The shot from anywhere", Deed::kOrbit);
   ImGui::Separator();
   item(desk, "Keep the picture to compare with", Deed::kKeep, desk.has_shot());

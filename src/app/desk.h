@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -54,6 +55,7 @@ struct Desk {
   std::set<std::string> solo;
   int key_map = 0;
   bool show_panels = true;
+  std::optional<bool> show_shots;  ///< the frames below the picture; empty: where the shot has some
   Question question = Question::kNone;
   bool question_asked = false;  ///< its popup is open
   bool quit = false;

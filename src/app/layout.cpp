@@ -78,6 +78,18 @@ void Layout::right_side(Desk& desk, const ScreenRect& rect) {
   ImGui::End();
 }
 
+float Layout::shots(Desk& desk, const ScreenRect& middle) {
+  if (!shots_shown(desk)) {
+    shots_.hide(desk);
+    return 0.0F;
+  }
+  const float height = ShotsPanel::height(desk.theme);
+  begin("shots", {{middle.lo.x, middle.hi.y - height}, middle.hi}, ImGuiWindowFlags_NoScrollbar);
+  shots_.draw(desk);
+  ImGui::End();
+  return height;
+}
+
 void Layout::draw(Desk& desk, CanvasPanel& canvas, std::span<const HandEvent> events) {
   const ImGuiIO& io = ImGui::GetIO();
   menu_bar(desk);
@@ -87,7 +99,8 @@ void Layout::draw(Desk& desk, CanvasPanel& canvas, std::span<const HandEvent> ev
   const float bottom = io.DisplaySize.y - status;
   const float left = desk.show_panels ? desk.theme.px(46.0F + left_) : 0.0F;
   const float right = io.DisplaySize.x - (desk.show_panels ? desk.theme.px(right_) : 0.0F);
-  const ScreenRect middle{{left, top + bar}, {right, bottom}};
+  ScreenRect middle{{left, top + bar}, {right, bottom}};
+  middle.hi.y -= shots(desk, middle);
   if (desk.orbit && desk.has_shot()) {
     orbit_.draw(desk, middle, events);
   } else {

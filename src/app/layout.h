@@ -5,6 +5,7 @@
 #include "app/canvas_panel.h"
 #include "app/orbit_panel.h"
 #include "app/panels.h"
+#include "app/shots_panel.h"
 #include "app/tour.h"
 
 namespace luminist {
@@ -16,6 +17,8 @@ class Layout {
  private:
   void left_side(Desk& desk, const ScreenRect& rect);
   void right_side(Desk& desk, const ScreenRect& rect);
+  /// The frames below the picture, where they are wanted. returns how high they are.
+  float shots(Desk& desk, const ScreenRect& middle);
 
   float left_ = 232.0F;  ///< widths of the panels, in points
   float right_ = 336.0F;
@@ -23,6 +26,7 @@ class Layout {
   ExplorePanel explore_;
   StrokePanel strokes_;
   OrbitPanel orbit_;
+  ShotsPanel shots_;
   Tour tour_;
 };
 

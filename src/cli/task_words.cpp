@@ -7,6 +7,7 @@
 #include "image_io/image_io.h"
 #include "params/param_text.h"
 #include "rig/light_links.h"
+#include "studio/light_kinds.h"
 
 namespace luminist {
 
@@ -19,7 +20,10 @@ void declare_paint_words(CLI::App& app, PaintWords& words) {
       "importance.png of a result is a view, black where it counts)");
   app.add_option("--add-light", words.new_lights, "Adds so many lights where the paint wants them; locks the others")
       ->check(CLI::Range(0, 16));
-  app.add_option("--light-type", words.light.type, "Type of the lights that are added (default: cinematic)");
+  app.add_option(
+      "--light-type", words.light.type,
+      "Type of the lights that are added (default: cinematic); any, or any:point,sun: each is tried, and the "
+      "one that makes the paint with the fewest degrees of freedom is added");
   app.add_option("--light-group", words.light.group, "Group of the lights that are added, as key (default: none)");
 }
 
@@ -53,6 +57,14 @@ Result<void> put_target(Session& session, const PaintWords& words, const AssetRo
 }
 
 Result<void> add_new_lights(Session& session, const PaintWords& words) {
+  if (words.new_lights > 0 && is_any_kind(words.light.type)) {
+    if (words.new_lights > 1) {
+      return Error{ErrorKind::kUsage, "one light at a time is added of any kind", "", "--add-light",
+                   "write --add-light 1"};
+    }
+    LUM_TRY_VOID(add_light_of_any_kind(session, words.light, {}, {}));
+    return {};
+  }
   if (words.new_lights == 1) LUM_TRY_VOID(session.add_light(words.light));
   if (words.new_lights > 1) LUM_TRY_VOID(session.add_lights(words.new_lights, words.light));
   return {};

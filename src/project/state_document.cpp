@@ -78,50 +78,66 @@ Result<std::string> text_at(const Document& document, const std::string& path) {
   return value.get<std::string>();
 }
 
-std::string keys_path(const KeyTrack& track) {
-  return fmt::format("keys/{}/{}", track.light.empty() ? "ambient" : "lights/" + track.light, track.param);
+std::string keys_path(const std::string& light, const std::string& name) {
+  return fmt::format("keys/{}/{}", light.empty() ? "ambient" : "lights/" + light, name);
 }
 
 void write_keys(const LightRig& rig, Document& document) {
   document.erase_below("keys/");
   for (const KeyTrack& track : rig.keys) {
+    const std::string name = track_name(rig, track);
+    if (name.empty()) continue;
     Json keys = Json::array();
     for (const Key& key : track.keys) {
       const std::string& word = key_interpolation_words()[static_cast<std::size_t>(key.interpolation)];
-      keys.push_back({key.frame, word, key.value[0], key.value[1], key.value[2]});
+      if (track.component >= 0) {
+        keys.push_back({key.frame, word, key.value[0]});
+      } else {
+        keys.push_back({key.frame, word, key.value[0], key.value[1], key.value[2]});
+      }
     }
-    document.set(keys_path(track), keys.dump());
+    document.set(keys_path(track.light, name), keys.dump());
   }
 }
 
-Result<Key> read_key(const Json& value, const std::string& path) {
-  const bool shaped = value.is_array() && value.size() == 5 && value[0].is_number() && value[1].is_string() &&
-                      value[2].is_number() && value[3].is_number() && value[4].is_number();
-  if (!shaped) return wrong(path, "a frame, an interpolation and three numbers are wanted");
+/// numbers: how many a key of the track holds, 1 or 3.
+Result<Key> read_key(const Json& value, const std::string& path, std::size_t numbers) {
+  bool shaped = value.is_array() && value.size() == 2 + numbers && value[0].is_number() && value[1].is_string();
+  for (std::size_t i = 0; shaped && i < numbers; ++i) shaped = value[2 + i].is_number();
+  if (!shaped) return wrong(path, fmt::format("a frame, an interpolation and {} numbers are wanted", numbers));
   const std::span<const std::string> words = key_interpolation_words();
   const auto word = std::find(words.begin(), words.end(), value[1].get<std::string>());
   if (word == words.end()) return wrong(path, fmt::format("use one of {}", fmt::join(words, ", ")));
-  return Key{value[0].get<double>(),
-             static_cast<KeyInterpolation>(word - words.begin()),
-             {value[2].get<double>(), value[3].get<double>(), value[4].get<double>()}};
+  Key key{value[0].get<double>(), static_cast<KeyInterpolation>(word - words.begin()), {}};
+  for (std::size_t i = 0; i < numbers; ++i) key.value[i] = value[2 + i].get<double>();
+  return key;
 }
 
-Result<void> read_track(const Document& document, const std::string& light, const ParamBlock& block, LightRig& rig) {
+Result<void> read_track(const Document& document, const ParamSpec& spec, KeyTrack track, LightRig& rig) {
+  const std::string path = keys_path(track.light, track.component < 0 ? spec.name : dof_name(spec, track.component));
+  if (!document.has(path)) return {};
+  const Json keys = Json::parse(document.get(path), nullptr, false);
+  if (!keys.is_array() || keys.empty()) return wrong(path, "an array of keys is wanted");
+  for (const Json& each : keys) {
+    LUM_TRY(const Key key, read_key(each, path, track.component < 0 ? 3 : 1));
+    if (!track.keys.empty() && !(key.frame > track.keys.back().frame)) return wrong(path, "frames must ascend");
+    const bool chosen = spec.type != ParamType::kChoice ||
+                        (key.value[0] >= 0.0 && key.value[0] < static_cast<double>(spec.choices.size()));
+    if (!chosen) return wrong(path, "there is no such choice");
+    track.keys.push_back(key);
+  }
+  rig.keys.push_back(std::move(track));
+  return {};
+}
+
+Result<void> read_tracks(const Document& document, const std::string& light, const ParamBlock& block, LightRig& rig) {
   for (const ParamSpec& spec : block.schema().specs()) {
-    KeyTrack track{light, spec.name, {}};
-    const std::string path = keys_path(track);
-    if (!document.has(path)) continue;
-    const Json keys = Json::parse(document.get(path), nullptr, false);
-    if (!keys.is_array() || keys.empty()) return wrong(path, "an array of keys is wanted");
-    for (const Json& each : keys) {
-      LUM_TRY(const Key key, read_key(each, path));
-      if (!track.keys.empty() && !(key.frame > track.keys.back().frame)) return wrong(path, "frames must ascend");
-      const bool chosen = spec.type != ParamType::kChoice ||
-                          (key.value[0] >= 0.0 && key.value[0] < static_cast<double>(spec.choices.size()));
-      if (!chosen) return wrong(path, "there is no such choice");
-      track.keys.push_back(key);
+    const std::size_t before = rig.keys.size();
+    LUM_TRY_VOID(read_track(document, spec, {light, spec.name, {}}, rig));
+    if (rig.keys.size() > before || !keys_by_component(spec)) continue;
+    for (int c = 0; c < spec.components(); ++c) {
+      LUM_TRY_VOID(read_track(document, spec, {light, spec.name, {}, c}, rig));
     }
-    rig.keys.push_back(std::move(track));
   }
   return {};
 }
@@ -190,8 +206,8 @@ Result<ParamState> read_state(const Document& document, const LightTypes& types,
   LUM_TRY(state.rig.shadow_light, text_at(document, "rig/shadow_light"));
   LUM_TRY_VOID(read_block(document, "ambient", state.rig.ambient));
   LUM_TRY_VOID(read_block(document, "style", state.style));
-  LUM_TRY_VOID(read_track(document, "", state.rig.ambient, state.rig));
-  for (const Light& light : state.rig.lights) LUM_TRY_VOID(read_track(document, light.name, light.params, state.rig));
+  LUM_TRY_VOID(read_tracks(document, "", state.rig.ambient, state.rig));
+  for (const Light& light : state.rig.lights) LUM_TRY_VOID(read_tracks(document, light.name, light.params, state.rig));
   LUM_TRY(state.rig.constraints, constraints_from_json(document.get("rig/constraints")));
   if (const auto fault = find_fault(state.rig)) return wrong("rig/constraints", fault->what);
   keep_constraints(state.rig);

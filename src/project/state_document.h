@@ -8,8 +8,9 @@ namespace luminist {
 /// Paths: "rig/lights" (names in order), "rig/shadow_light", "rig/constraints" (objects as the tables of a rig file;
 /// absent if there are none), "lights/NAME/@type", "@group", "@muted", "@objects" (absent: it lights everything),
 /// "lights/NAME/PARAM", "ambient/PARAM", "style/PARAM", "keys/lights/NAME/PARAM" (arrays of [frame, interpolation,
-/// numbers...]), and "locks/..." of each of these: one boolean per degree of freedom. Values are exact: what is read
-/// back has the same bits. Paths of other kinds stay as they are, but lights that are not in the state are erased.
+/// numbers...]; "PARAM.x" for keys of one number of it), and "locks/..." of each of these: one boolean per degree of
+/// freedom. Values are exact: what is read back has the same bits. Paths of other kinds stay as they are, but lights
+/// that are not in the state are erased.
 void write_state(const ParamState& state, Document& document);
 
 /// The state keeps its constraints. errors kBadContent naming the path; kUsage for an unknown light type.

@@ -20,11 +20,13 @@ Vec3 finite_or_black(const Vec4& color) {
 }  // namespace
 
 BatchEvaluator::BatchEvaluator(Device& device, Relight& relight, const DeepFramebuffer& surface,
-                               const SurfaceBuffer& seen, const LightTypes& types, const RayScene& rays)
+                               const SurfaceBuffer& seen, const LightTypes& types, const RayScene& rays,
+                               const SceneFrame& scene)
     : device_(&device),
       relight_(&relight),
       surface_(&surface),
       types_(&types),
+      scene_(scene),
       visibility_(rays, seen),
       table_(relight.make_table(seen.object_names)) {}
 
@@ -66,7 +68,7 @@ Result<std::size_t> BatchEvaluator::fill_table(std::span<const Candidate> candid
 
 ShadowLight BatchEvaluator::caster(const LightRig& rig, int light) const {
   const Light* shared = rig.shadow_light.empty() ? nullptr : rig.find(rig.shadow_light);
-  return shadow_light(shared != nullptr ? *shared : rig.lights[static_cast<std::size_t>(light)], *types_);
+  return shadow_light(shared != nullptr ? *shared : rig.lights[static_cast<std::size_t>(light)], *types_, scene_);
 }
 
 void BatchEvaluator::prepare_visibility(std::span<const Candidate> candidates, const SampleSet& samples,

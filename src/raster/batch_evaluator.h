@@ -13,9 +13,10 @@ namespace luminist {
 
 class BatchEvaluator {
  public:
-  /// Everything outlives it. Rays start at `seen`, which has no lines of a style in it.
+  /// Everything outlives it. scene: what a sun's shadows are of (shadow_light()). Rays start at `seen`, which has no
+  /// lines of a style in it.
   BatchEvaluator(Device& device, Relight& relight, const DeepFramebuffer& surface, const SurfaceBuffer& seen,
-                 const LightTypes& types, const RayScene& rays);
+                 const LightTypes& types, const RayScene& rays, const SceneFrame& scene);
 
   /// Renderer::evaluate(). Values that are not finite become 0. errors kLimit if one rig has more lights of a type than
   /// the device holds, or memory runs out.
@@ -39,6 +40,7 @@ class BatchEvaluator {
   Relight* relight_;
   const DeepFramebuffer* surface_;
   const LightTypes* types_;
+  SceneFrame scene_;
   SampleVisibility visibility_;
   CandidateTable table_;
   std::vector<ShadowLight> casters_;   ///< reused

@@ -179,6 +179,8 @@ Result<MeshBuffers> MeshBuffers::create(Device& device, const Scene& scene, bool
 
   meshes.bounds_ = scene.bounds(true);
   meshes.shadow_bounds_ = scene.shadow_bounds();
+  const Box seen = scene.bounds();
+  meshes.shadow_frame_ = {seen.center(), std::max(seen.radius(), 1e-6F)};
 
   const auto vertex_buffer = [&device](const auto& values, const char* label) {
     return GlBuffer::create(device, BufferUse::kVertex, std::span(values), label);

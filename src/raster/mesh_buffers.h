@@ -41,6 +41,8 @@ class MeshBuffers {
   [[nodiscard]] const std::vector<MeshDraw>& shadow_draws() const { return shadow_draws_; }
   [[nodiscard]] const Box& bounds() const { return bounds_; }                ///< world, with backdrops; of what is seen
   [[nodiscard]] const Box& shadow_bounds() const { return shadow_bounds_; }  ///< of what blocks light
+  /// The sphere around it without backdrops.
+  [[nodiscard]] const SceneFrame& shadow_frame() const { return shadow_frame_; }
   /// float [objects]: world_slack() of the mesh that blocks light in the object's stead, 0 if its own does.
   [[nodiscard]] const GlBuffer& shadow_slack() const { return shadow_slack_; }
 
@@ -64,6 +66,7 @@ class MeshBuffers {
   std::vector<MeshDraw> shadow_draws_;
   Box bounds_;
   Box shadow_bounds_;
+  SceneFrame shadow_frame_;
 };
 
 }  // namespace luminist

@@ -110,7 +110,7 @@ Result<void> RasterRenderer::Impl::prepare(const Scene& scene, const Camera& cam
   LUM_TRY(relight_, Relight::create(*device_, *types_, style_, roots));
   table_ = relight_->make_table(surface().object_names);
   LUM_TRY(rays_, RayScene::create(scene));
-  batch_.emplace(*device_, *relight_, *deep_, surface(), *types_, *rays_);
+  batch_.emplace(*device_, *relight_, *deep_, surface(), *types_, *rays_, meshes_.shadow_frame());
   LUM_TRY(metric_, MetricPass::create(*device_, roots, deep_->pixel_count()));
   std::vector<SourceChunk> chunks;
   for (const char* file : {"shaders/raster/dispatch.glsl", "shaders/raster/resolve.comp"}) {
@@ -137,7 +137,7 @@ Result<void> RasterRenderer::Impl::change_style(const Style& style, const AssetR
   relight_ = std::move(relight);
   style_ = style;
   table_ = relight_->make_table(surface().object_names);
-  batch_.emplace(*device_, *relight_, *deep_, surface(), *types_, *rays_);
+  batch_.emplace(*device_, *relight_, *deep_, surface(), *types_, *rays_, meshes_.shadow_frame());
   still_key_.clear();
   picture_key_.clear();
   return {};
@@ -203,7 +203,7 @@ Result<void> RasterRenderer::Impl::run(const ParamState& state, const Layer& lay
 }
 
 Result<void> RasterRenderer::Impl::update_shadows(const ParamState& state) {
-  std::vector<ShadowLight> lit = shadow_lights(state.rig, *types_);
+  std::vector<ShadowLight> lit = shadow_lights(state.rig, *types_, meshes_.shadow_frame());
   for (std::size_t i = lit.size(); i-- > 0;) {
     if (state.rig.lights[i].muted) lit.erase(lit.begin() + static_cast<std::ptrdiff_t>(i));
   }
@@ -223,7 +223,7 @@ std::vector<std::byte> RasterRenderer::Impl::key_of(const ParamState& state, con
   add(state.rig.ambient.bytes());
   add(state.style.bytes());
   add(std::as_bytes(std::span(std::string_view(link_signature(state.rig)))));
-  const std::vector<ShadowLight> shadows = shadow_lights(state.rig, *types_);
+  const std::vector<ShadowLight> shadows = shadow_lights(state.rig, *types_, meshes_.shadow_frame());
   for (const int i : layer.lights) {
     const Light& light = state.rig.lights[static_cast<std::size_t>(i)];
     add(std::as_bytes(std::span(&i, 1)));

@@ -31,7 +31,8 @@ std::size_t SampleVisibility::KeyHash::operator()(const Key& key) const {
     hash ^= hash >> 29;
   };
   const ShadowLight& light = key.light;
-  for (const float v : {light.position.x, light.position.y, light.position.z, light.softness, light.extent}) {
+  for (const float v : {light.position.x, light.position.y, light.position.z, light.direction.x, light.direction.y,
+                        light.direction.z, light.softness, light.extent}) {
     mix(std::bit_cast<std::uint32_t>(v));
   }
   mix(static_cast<std::uint64_t>(light.size_px));
@@ -41,8 +42,8 @@ std::size_t SampleVisibility::KeyHash::operator()(const Key& key) const {
 SampleVisibility::Key SampleVisibility::key_of(const ShadowLight& light, const SampleSet& samples,
                                                const Softness& softness) {
   Key key{samples.id, light, std::max(softness.shadow_rays, 1)};
-  key.light.softness = std::max(light.softness, softness.shadow_angle);
-  key.light.direction = ShadowLight{}.direction;
+  key.light.softness = std::max(light.softness, softness.shadow_angle * (light.parallel() ? light.extent : 1.0F));
+  if (!light.parallel()) key.light.direction = ShadowLight{}.direction;
   return key;
 }
 
@@ -111,7 +112,8 @@ std::size_t SampleVisibility::trace(Column& column, const SampleSet& samples) co
         shadow_receiver(light, surface_->position[pixel], normal, rays_->shadow_slack(surface_->object[pixel] - 1));
     for (std::size_t j = 0; j < rays_a_sample; ++j) {
       const Vec2& disc = discs_[i * rays_a_sample + j];
-      segments.push_back({light.position, shadow_tap(light, receiver, normal, disc)});
+      const Vec3 tap = shadow_tap(light, receiver, normal, disc);
+      segments.push_back({ray_origin(light, tap), tap});
     }
   }
   std::vector<unsigned char> blocked(segments.size());
@@ -124,7 +126,7 @@ std::size_t SampleVisibility::trace(Column& column, const SampleSet& samples) co
     answer += rays_a_sample;
     column.lit[i] = 1.0F - static_cast<float>(hits) / static_cast<float>(rays_a_sample);
     if (rays_->shadow_slack(surface_->object[pixel] - 1) == 0.0F) continue;
-    const Vec3 to_light = glm::normalize(light.position - surface_->position[pixel]);
+    const Vec3 to_light = way_to_light(light, surface_->position[pixel]);
     column.lit[i] *= share_before_own_shadow(glm::dot(to_light, surface_->normal[pixel]));
   }
   return segments.size();

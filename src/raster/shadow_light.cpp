@@ -12,6 +12,8 @@ constexpr float kLeastExtent = 0.05F;  // 3 degrees
 constexpr float kMostExtent = 4.0F;    // 76 degrees
 constexpr float kLeastSoftness = 1e-4F;
 constexpr float kMostSoftness = 0.5F;
+constexpr float kSunMargin = 1.05F;    // of the scene's radius: the filter of what lies at its rim stays in the map
+constexpr float kSunDistance = 64.0F;  // of what a sun's map covers: beyond all backdrops
 constexpr int kLeastSize = 256;
 constexpr int kMostSize = 2048;
 constexpr float kLeastRadius = 2.0F;  // of the filter, in texels
@@ -65,20 +67,37 @@ void fit_size(ShadowLight& light) {
   light.softness = std::max(light.softness, kLeastRadius * light.texel());
 }
 
+/// shadow_tap() of parallel rays: the disc is as large at every distance.
+Vec3 parallel_tap(const ShadowLight& light, const Vec3& receiver, const Vec3& normal, const Vec2& disc) {
+  Vec3 right;
+  Vec3 up;
+  tangent_frame(light.direction, right, up);
+  const Vec3 across = light.softness * (disc.x * right + disc.y * up);
+  const float slope = glm::dot(across, normal) / std::max(-glm::dot(light.direction, normal), kLeastCosine);
+  const float pull = kPull * light.softness * glm::length(disc);
+  return receiver + across - (pull + std::max(-slope, 0.0F)) * light.direction;
+}
+
 }  // namespace
 
-ShadowLight shadow_light(const Light& light, const LightTypes& types) {
+ShadowLight shadow_light(const Light& light, const LightTypes& types, const SceneFrame& scene) {
   const LightType* type = types.find(light.type);
   const std::optional<int> position = light.params.schema().by_role("position");
-  if (type == nullptr || type->shadow == ShadowKind::kNone || !position) return {};
+  if (type == nullptr || type->shadow == ShadowKind::kNone) return {};
+  if (type->shadow != ShadowKind::kSun && !position) return {};
 
   ShadowLight shadow;
   shadow.kind = type->shadow;
-  shadow.position = light.params.vec3(*position);
+  shadow.position = shadow.parallel() ? scene.center : light.params.vec3(*position);
   shadow.softness = softness_of(light.params);
-  if (shadow.kind == ShadowKind::kSpot) {
+  if (shadow.kind != ShadowKind::kCube) {
     const std::optional<int> direction = light.params.schema().by_role("direction");
     if (direction) shadow.direction = glm::normalize(light.params.vec3(*direction));
+  }
+  if (shadow.parallel()) {
+    shadow.softness *= scene.radius;
+    shadow.extent = kSunMargin * scene.radius;
+  } else if (shadow.kind == ShadowKind::kSpot) {
     shadow.extent = extent_of(light.params);
   } else {
     shadow.extent = cube_extent(shadow.softness);
@@ -88,10 +107,12 @@ ShadowLight shadow_light(const Light& light, const LightTypes& types) {
   return shadow;
 }
 
-std::vector<ShadowLight> shadow_lights(const LightRig& rig, const LightTypes& types) {
+std::vector<ShadowLight> shadow_lights(const LightRig& rig, const LightTypes& types, const SceneFrame& scene) {
   const Light* shared = rig.shadow_light.empty() ? nullptr : rig.find(rig.shadow_light);
   std::vector<ShadowLight> shadows;
-  for (const Light& light : rig.lights) shadows.push_back(shadow_light(shared != nullptr ? *shared : light, types));
+  for (const Light& light : rig.lights) {
+    shadows.push_back(shadow_light(shared != nullptr ? *shared : light, types, scene));
+  }
   return shadows;
 }
 
@@ -102,14 +123,25 @@ float receiver_offset(const ShadowLight& light, float distance, float cosine) {
   return distance * light.texel() * (0.75F + 0.75F * sine);
 }
 
+Vec3 way_to_light(const ShadowLight& light, const Vec3& position) {
+  if (light.parallel()) return -light.direction;
+  const Vec3 way = light.position - position;
+  const float distance = glm::length(way);
+  return distance > 0.0F ? way / distance : Vec3(0.0F);
+}
+
+Vec3 ray_origin(const ShadowLight& light, const Vec3& tap) {
+  return light.parallel() ? tap - kSunDistance * light.extent * light.direction : light.position;
+}
+
 Vec3 shadow_receiver(const ShadowLight& light, const Vec3& position, const Vec3& normal, float slack) {
-  const Vec3 to_light = light.position - position;
-  const float distance = glm::length(to_light);
-  const float cosine = distance > 0.0F ? glm::dot(to_light, normal) / distance : 1.0F;
+  const float distance = light.parallel() ? 1.0F : glm::length(light.position - position);
+  const float cosine = distance > 0.0F ? glm::dot(way_to_light(light, position), normal) : 1.0F;
   return position + normal * (receiver_offset(light, distance, cosine) + slack);
 }
 
 Vec3 shadow_tap(const ShadowLight& light, const Vec3& receiver, const Vec3& normal, const Vec2& disc) {
+  if (light.parallel()) return parallel_tap(light, receiver, normal, disc);
   const Vec3 way = receiver - light.position;
   const float distance = glm::length(way);
   if (!(distance > 0.0F)) return receiver;
@@ -129,9 +161,9 @@ float share_before_own_shadow(float cosine) {
 }
 
 bool shadow_covers(const ShadowLight& light, const Vec3& receiver) {
-  if (light.kind != ShadowKind::kSpot) return light.kind == ShadowKind::kCube;
+  if (light.kind == ShadowKind::kNone || light.kind == ShadowKind::kCube) return light.kind == ShadowKind::kCube;
   const Vec3 way = receiver - light.position;
-  const float depth = glm::dot(way, light.direction);
+  const float depth = light.parallel() ? 1.0F : glm::dot(way, light.direction);
   Vec3 right;
   Vec3 up;
   tangent_frame(light.direction, right, up);

@@ -19,9 +19,9 @@ Mat3 view_along(const Vec3& axis) {
   return glm::transpose(Mat3(right, up, axis));
 }
 
-/// One view of a spot; of a point six, in the order +x, -x, +y, -y, +z, -z.
+/// One view of a spot and of a sun; of a point six, in the order +x, -x, +y, -y, +z, -z.
 std::vector<Mat3> views_of(const ShadowLight& light) {
-  if (light.kind == ShadowKind::kSpot) return {view_along(light.direction)};
+  if (light.kind != ShadowKind::kCube) return {view_along(light.direction)};
   std::vector<Mat3> views;
   for (int i = 0; i < 6; ++i) {
     Vec3 axis(0.0F);
@@ -31,7 +31,8 @@ std::vector<Mat3> views_of(const ShadowLight& light) {
   return views;
 }
 
-/// Depth near / z, reversed and without a far plane: 1 at the near plane, 0 infinitely far away.
+/// Depth near / z, reversed and without a far plane: 1 at the near plane, 0 infinitely far away. Of a sun 1 to 0 over
+/// twice the near plane's distance around its place.
 Mat4 clip_from_world(const ShadowLight& light, const Mat3& view, float near_plane) {
   Mat4 rotation(view);
   Mat4 move(1.0F);
@@ -39,6 +40,12 @@ Mat4 clip_from_world(const ShadowLight& light, const Mat3& view, float near_plan
   Mat4 projection(0.0F);
   projection[0][0] = 1.0F / light.extent;
   projection[1][1] = 1.0F / light.extent;
+  if (light.parallel()) {
+    projection[2][2] = -0.5F / near_plane;
+    projection[3][2] = 0.5F;
+    projection[3][3] = 1.0F;
+    return projection * rotation * move;
+  }
   projection[3][2] = near_plane;
   projection[2][3] = 1.0F;
   return projection * rotation * move;
@@ -46,6 +53,9 @@ Mat4 clip_from_world(const ShadowLight& light, const Mat3& view, float near_plan
 
 /// As far from the light as no triangle is nearer, along the axis of any view; but not so near that depth gets coarse.
 float near_plane_of(const ShadowLight& light, const Box& bounds) {
+  if (light.parallel()) {
+    return 1.01F * (glm::length(bounds.center() - light.position) + bounds.radius());  // nothing lies beyond it
+  }
   const Vec3 nearest = glm::clamp(light.position, bounds.lo, bounds.hi);
   const float distance = glm::length(nearest - light.position);
   const float corner = std::sqrt(1.0F + 2.0F * light.extent * light.extent);
@@ -146,6 +156,7 @@ void ShadowMaps::look_up(const DeepFramebuffer& deep, const Map& map, std::size_
   lookup_program_.set("first", static_cast<unsigned>(slot * deep.sample_count()));
   lookup_program_.set("light_position", light.position);
   lookup_program_.set("cube", light.kind == ShadowKind::kCube ? 1 : 0);
+  lookup_program_.set("sun", light.parallel() ? 1 : 0);
   lookup_program_.set("near_plane", map.near_plane);
   lookup_program_.set("extent", light.extent);
   lookup_program_.set("softness", light.softness);

@@ -20,8 +20,9 @@ namespace luminist {
 /// Comparisons per sample and light, each filtered over 2 x 2 texels; four times as many for very soft shadows.
 inline constexpr int kShadowTaps = 16;
 
-/// Depth maps of lights (one view of a spot, six of a point) and the visibility of samples in them. Equal ShadowLights
-/// share one map. Depth is near / distance along the axis, reversed, so that it is equally exact at every distance.
+/// Depth maps of lights (one view of a spot or a sun, six of a point) and the visibility of samples in them. Equal
+/// ShadowLights share one map. Depth is near / distance along the axis, reversed, so that it is equally exact at every
+/// distance.
 class ShadowMaps {
  public:
   /// The meshes outlive the maps. errors kMissing, kStyle if the shaders are damaged.

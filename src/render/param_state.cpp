@@ -176,7 +176,12 @@ Result<std::vector<ParamPlace>> params_matching(const ParamState& state, std::st
     const std::vector<std::string> prefixes = block_prefixes(state, b);
     const bool block = std::find(prefixes.begin(), prefixes.end(), pattern) != prefixes.end();
     for (int param = 0; param < blocks[b]->schema().size(); ++param) {
-      if (block || any_matches(pattern, prefixes, blocks[b]->schema()[param].name)) places.push_back({b, param});
+      const ParamSpec& spec = blocks[b]->schema()[param];
+      const bool whole = block || any_matches(pattern, prefixes, spec.name);
+      if (whole) places.push_back({b, param});
+      for (int c = 0; !whole && keys_by_component(spec) && c < spec.components(); ++c) {
+        if (any_matches(pattern, prefixes, dof_name(spec, c))) places.push_back({b, param, c});
+      }
     }
   }
   if (!places.empty()) return places;

@@ -44,12 +44,14 @@ std::string range_note(const ParamState& state, std::string_view path, const Sce
 /// returns the number of degrees of freedom that matched. errors kUsage if none did (with the nearest path).
 Result<int> set_locked(ParamState& state, std::string_view pattern, bool locked);
 
-/// A parameter: its block of blocks(), and its place in the schema.
+/// A parameter, or one of its numbers: its block of blocks(), and its place in the schema.
 struct ParamPlace {
   std::size_t block = 0;
   int param = 0;
+  int component = -1;  ///< -1: all of it
 };
-/// What a pattern as of set_locked() names, whole parameters only. errors kUsage if it names none (with the nearest).
+/// What a pattern as of set_locked() names, and numbers of it that can have keys (keys_by_component()) as
+/// "lights/key/position.y". errors kUsage if it names none (with the nearest).
 Result<std::vector<ParamPlace>> params_matching(const ParamState& state, std::string_view pattern);
 
 /// Names of the unlocked degrees of freedom in UnitMap order: "lights/key/position.x", "lights/key/direction.u" ...

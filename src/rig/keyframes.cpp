@@ -5,19 +5,13 @@
 
 #include <glm/vec3.hpp>
 
-#include "base/check.h"
+#include "params/param_text.h"
 #include "rig/light_rig.h"
 
 namespace luminist {
 namespace {
 
 using Values = std::array<double, 3>;
-
-ParamBlock* block_of(LightRig& rig, const std::string& light) {
-  if (light.empty()) return &rig.ambient;
-  Light* found = rig.find(light);
-  return found != nullptr ? &found->params : nullptr;
-}
 
 bool steps(const ParamSpec& spec) {
   return spec.type == ParamType::kInt || spec.type == ParamType::kBool || spec.type == ParamType::kChoice;
@@ -93,35 +87,9 @@ Values value_at(const KeyTrack& track, const ParamSpec& spec, double frame) {
   return smooth ? smooth_between(keys, i, t) : mixed(key.value, after->value, t);
 }
 
-Values stored(const ParamBlock& block, int param) {
-  Values value{};
-  for (int c = 0; c < block.schema()[param].components(); ++c) {
-    value[static_cast<std::size_t>(c)] = block.get(param, c);
-  }
-  return value;
-}
-
-void put_key(KeyTrack& track, const Key& key) {
-  const auto at = std::lower_bound(track.keys.begin(), track.keys.end(), key.frame,
-                                   [](const Key& each, double frame) { return each.frame < frame; });
-  if (at != track.keys.end() && at->frame == key.frame) {
-    *at = key;
-  } else {
-    track.keys.insert(at, key);
-  }
-}
-
-/// Of the last key up to a frame, or else of the first.
-KeyInterpolation interpolation_at(const KeyTrack& track, double frame) {
-  KeyInterpolation interpolation = track.keys.front().interpolation;
-  for (const Key& key : track.keys) {
-    if (key.frame <= frame) interpolation = key.interpolation;
-  }
-  return interpolation;
-}
-
-/// Sets the parameter; what it stores is a float, so a key's value comes back to the bit.
-void apply(const Values& value, ParamBlock& block, int param) {
+/// Sets what a track is of; what is stored is a float, so a key's value comes back to the bit.
+void apply(const Values& value, const KeyTrack& track, ParamBlock& block, int param) {
+  if (track.component >= 0) return block.set(param, track.component, value[0]);
   for (int c = 0; c < block.schema()[param].components(); ++c) {
     block.set(param, c, value[static_cast<std::size_t>(c)]);
   }
@@ -134,53 +102,33 @@ std::span<const std::string> key_interpolation_words() {
   return words;
 }
 
+bool keys_by_component(const ParamSpec& spec) {
+  return spec.components() > 1 && spec.type != ParamType::kDirection;
+}
+
+ParamBlock* keyed_block(LightRig& rig, const std::string& light) {
+  if (light.empty()) return &rig.ambient;
+  Light* found = rig.find(light);
+  return found != nullptr ? &found->params : nullptr;
+}
+
+std::string track_name(const LightRig& rig, const KeyTrack& track) {
+  const Light* light = rig.find(track.light);
+  if (light == nullptr && !track.light.empty()) return "";
+  const ParamSchema& schema = light != nullptr ? light->params.schema() : rig.ambient.schema();
+  const auto param = schema.find(track.param);
+  if (!param || track.component >= schema[*param].components()) return "";
+  return track.component < 0 ? track.param : dof_name(schema[*param], track.component);
+}
+
 void pose(LightRig& rig, double frame) {
   if (rig.keys.empty()) return;
   for (const KeyTrack& track : rig.keys) {
-    ParamBlock* block = block_of(rig, track.light);
+    ParamBlock* block = keyed_block(rig, track.light);
     const auto param = block != nullptr ? block->schema().find(track.param) : std::nullopt;
-    if (param) apply(value_at(track, block->schema()[*param], frame), *block, *param);
+    if (param) apply(value_at(track, block->schema()[*param], frame), track, *block, *param);
   }
   keep_constraints(rig);
-}
-
-void set_key(LightRig& rig, const std::string& light, int param, double frame, KeyInterpolation interpolation) {
-  ParamBlock* block = block_of(rig, light);
-  LUM_CHECK(block != nullptr && param >= 0 && param < block->schema().size(), "a key is of a parameter that is there");
-  const std::string& name = block->schema()[param].name;
-  auto track = std::find_if(rig.keys.begin(), rig.keys.end(),
-                            [&](const KeyTrack& each) { return each.light == light && each.param == name; });
-  if (track == rig.keys.end()) track = rig.keys.insert(rig.keys.end(), {light, name, {}});
-  put_key(*track, {frame, interpolation, stored(*block, param)});
-}
-
-bool remove_key(LightRig& rig, const std::string& light, int param, double frame) {
-  const ParamBlock* block = block_of(rig, light);
-  LUM_CHECK(block != nullptr && param >= 0 && param < block->schema().size(), "a key is of a parameter that is there");
-  const std::string& name = block->schema()[param].name;
-  std::size_t removed = 0;
-  for (KeyTrack& track : rig.keys) {
-    if (track.light != light || track.param != name) continue;
-    removed += std::erase_if(track.keys, [&](const Key& key) { return key.frame == frame; });
-  }
-  std::erase_if(rig.keys, [](const KeyTrack& track) { return track.keys.empty(); });
-  return removed > 0;
-}
-
-int follow_with_keys(LightRig& rig, double frame) {
-  if (rig.keys.empty()) return 0;
-  LightRig posed = rig;  // with its constraints: what they move is no change
-  pose(posed, frame);
-  int count = 0;
-  for (KeyTrack& track : rig.keys) {
-    ParamBlock* block = block_of(rig, track.light);
-    const auto param = block != nullptr ? block->schema().find(track.param) : std::nullopt;
-    if (!param) continue;
-    if (stored(*block_of(posed, track.light), *param) == stored(*block, *param)) continue;
-    put_key(track, {frame, interpolation_at(track, frame), stored(*block, *param)});
-    ++count;
-  }
-  return count;
 }
 
 std::vector<double> key_frames(const LightRig& rig, const std::string& light) {

@@ -61,12 +61,18 @@ std::string rig_to_toml(const LightRig& rig);
 /// errors kUnwritable; kNumerical for a number that is not finite.
 Result<void> save_rig(const LightRig& rig, const std::string& path);
 
-/// Lights of a glTF scene: spots and suns as cinematic lights, points as point lights. A spot or point keeps its
+/// Lights of a glTF scene: spots as cinematic lights, points and suns as what they are. A spot or point keeps its
 /// position; its falloff is quadratic and its colour such that a white diffuser that faces it at the scene's centre has
-/// the radiance I / (pi d^2). A sun stands two scene diameters away, without falloff, its barn around the scene, its
-/// colour E / pi. Names are made unique, characters that a name cannot hold become '_'.
-/// errors kUsage if there are no cinematic or point lights.
+/// the radiance I / (pi d^2). A sun's colour is E / pi. Names are made unique, characters that a name cannot hold
+/// become
+/// '_'. errors kUsage if there are no lights of these types.
 Result<std::vector<Light>> from_punctual(const std::vector<PunctualLight>& lights, const LightTypes& types,
                                          const SceneFrame& frame);
+
+/// Lights that stand where the scene has them go where it has them at another moment. before, after: the scene's lights
+/// at the two, as from_punctual() makes them, in the same order. A light of the rig is the scene's if it has the name
+/// and type of one, stands and points as that does before, bit for bit, and has no keys of its place: what the lighter
+/// moved or keyed is the lighter's. returns whether one went anywhere.
+bool follow_scene(LightRig& rig, const std::vector<Light>& before, const std::vector<Light>& after);
 
 }  // namespace luminist

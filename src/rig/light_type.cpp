@@ -26,7 +26,8 @@ ShadowKind read_shadow(TomlReader& read) {
   if (word == "none") return ShadowKind::kNone;
   if (word == "spot") return ShadowKind::kSpot;
   if (word == "cube") return ShadowKind::kCube;
-  read.fail("shadow", fmt::format("unknown shadow \"{}\"", word), "one of none, spot, cube");
+  if (word == "sun") return ShadowKind::kSun;
+  read.fail("shadow", fmt::format("unknown shadow \"{}\"", word), "one of none, spot, cube, sun");
   return ShadowKind::kNone;
 }
 

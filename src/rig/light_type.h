@@ -10,10 +10,15 @@
 namespace luminist {
 
 /// What a light's shadow map has to cover.
-enum class ShadowKind { kNone, kSpot, kCube };
+enum class ShadowKind {
+  kNone,
+  kSpot,
+  kCube,
+  kSun,  ///< parallel rays: all of the scene
+};
 
-/// shaders/light/<name>.toml: `doc`, `shadow = "none" | "spot" | "cube"` and [[param]] tables; <name>.glsl beside it
-/// defines `LightSample sample_<name>(<Struct> light, Surface s)`.
+/// shaders/light/<name>.toml: `doc`, `shadow = "none" | "spot" | "cube" | "sun"` and [[param]] tables; <name>.glsl
+/// beside it defines `LightSample sample_<name>(<Struct> light, Surface s)`.
 struct LightType {
   std::string name;
   std::string doc;

@@ -8,7 +8,6 @@ namespace luminist {
 namespace {
 
 constexpr float kWidestAngle = 1.4F;      ///< radians; the tangent of a half sphere is infinite
-constexpr float kSunDistance = 4.0F;      ///< scene radii, two diameters
 constexpr float kFadeStart = 0.7F;        ///< of a light's range; KHR_lights_punctual is at 3/4 strength there
 constexpr float kNearestDistance = 0.1F;  ///< scene radii
 
@@ -66,13 +65,9 @@ void set_spot(ParamBlock& block, const PunctualLight& light) {
   set_by_role(block, "shape", Vec3(inner, inner, outer - inner));
 }
 
-void set_sun(ParamBlock& block, const PunctualLight& light, const Vec3& direction, const SceneFrame& frame) {
-  set_by_role(block, "position", frame.center - kSunDistance * frame.radius * direction);
-  set_by_role(block, "falloff", Vec3(0.0F));
-  set_by_role(block, "color", light.color * (light.intensity / static_cast<float>(kPi)));
-  // Tangent of the angle under which the scene's sphere is seen.
-  const float covering = 1.0F / std::sqrt(kSunDistance * kSunDistance - 1.0F);
-  set_by_role(block, "shape", Vec3(covering, covering, 0.1F * covering));
+const char* type_of(PunctualLight::Kind kind) {
+  if (kind == PunctualLight::Kind::kSun) return "sun";
+  return kind == PunctualLight::Kind::kPoint ? "point" : "cinematic";
 }
 
 }  // namespace
@@ -81,13 +76,12 @@ Result<std::vector<Light>> from_punctual(const std::vector<PunctualLight>& light
                                          const SceneFrame& frame) {
   LightRig rig = empty_rig(types, frame);
   for (const PunctualLight& light : lights) {
-    const bool point = light.kind == PunctualLight::Kind::kPoint;
     const std::string name = rig.unused_name(usable_name(light));
-    LUM_TRY(Light made, make_light(types, point ? "point" : "cinematic", name, frame));
+    LUM_TRY(Light made, make_light(types, type_of(light.kind), name, frame));
     const Vec3 direction = unit_direction(light.direction).value_or(Vec3(0.0F, 0.0F, -1.0F));
     set_by_role(made.params, "direction", direction);
     if (light.kind == PunctualLight::Kind::kSun) {
-      set_sun(made.params, light, direction, frame);
+      set_by_role(made.params, "color", light.color * (light.intensity / static_cast<float>(kPi)));
     } else {
       set_by_role(made.params, "position", light.position);
       set_intensity(made.params, light, frame);
@@ -96,6 +90,32 @@ Result<std::vector<Light>> from_punctual(const std::vector<PunctualLight>& light
     rig.lights.push_back(std::move(made));
   }
   return std::move(rig.lights);
+}
+
+bool follow_scene(LightRig& rig, const std::vector<Light>& before, const std::vector<Light>& after) {
+  bool moved = false;
+  for (std::size_t i = 0; i < std::min(before.size(), after.size()); ++i) {
+    Light* light = rig.find(before[i].name);
+    if (light == nullptr || light->type != before[i].type || before[i].type != after[i].type) continue;
+    const ParamSchema& schema = light->params.schema();
+    std::vector<int> places;
+    bool there = true;
+    for (const char* role : {"position", "direction"}) {
+      const auto param = schema.by_role(role);
+      if (!param) continue;
+      places.push_back(*param);
+      there &= light->params.vec3(*param) == before[i].params.vec3(*param);
+      there &= std::none_of(rig.keys.begin(), rig.keys.end(), [&](const KeyTrack& track) {
+        return track.light == light->name && track.param == schema[*param].name;
+      });
+    }
+    for (const int param : places) {
+      if (!there || light->params.vec3(param) == after[i].params.vec3(param)) continue;
+      set_numbers(light->params, param, after[i].params.vec3(param));
+      moved = true;
+    }
+  }
+  return moved;
 }
 
 }  // namespace luminist

@@ -51,6 +51,15 @@ Vec4 value_at(const Track& track, double seconds) {
   return between(track, key, (time - track.times[key]) / step, step);
 }
 
+/// [nodes] of what has such a track; empty for the others.
+std::vector<std::vector<float>> weights_at(const Animation& animation, double seconds) {
+  std::vector<std::vector<float>> weights(animation.nodes.size());
+  for (const WeightTrack& track : animation.weight_tracks) {
+    weights[static_cast<std::size_t>(track.node)] = track.at(seconds);
+  }
+  return weights;
+}
+
 std::vector<Mat4> worlds_of(const std::vector<Node>& nodes) {
   std::vector<Mat4> worlds;
   worlds.reserve(nodes.size());
@@ -71,9 +80,42 @@ Mat4 local_matrix(const Node& node) {
   return m;
 }
 
+std::vector<float> WeightTrack::at(double seconds) const {
+  const bool cubic = interpolation == Track::Interpolation::kCubic;
+  const std::size_t stride = cubic ? 3 : 1;
+  const std::size_t targets = values.size() / (times.size() * stride);
+  // part 0 and 2: tangents in and out of a cubic key
+  const auto value = [&](std::size_t key, std::size_t part, std::size_t target) {
+    return values[(key * stride + part) * targets + target];
+  };
+  const auto time = static_cast<float>(seconds);
+  const auto after = std::upper_bound(times.begin(), times.end(), time);
+  const auto key = static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - times.begin() - 1, 0));
+  const bool still = after == times.begin() || after == times.end() || interpolation == Track::Interpolation::kStep;
+  const float step = still ? 1.0F : times[key + 1] - times[key];
+  const float t = still ? 0.0F : (time - times[key]) / step;
+  const float t2 = t * t;
+  const float t3 = t2 * t;
+  const std::size_t middle = cubic ? 1 : 0;
+  std::vector<float> weights;
+  for (std::size_t k = 0; k < targets; ++k) {
+    const float from = value(key, middle, k);
+    if (still) {
+      weights.push_back(from);
+    } else if (cubic) {
+      weights.push_back((2.0F * t3 - 3.0F * t2 + 1.0F) * from + step * (t3 - 2.0F * t2 + t) * value(key, 2, k) +
+                        (3.0F * t2 - 2.0F * t3) * value(key + 1, 1, k) + step * (t3 - t2) * value(key + 1, 0, k));
+    } else {
+      weights.push_back((1.0F - t) * from + t * value(key + 1, 0, k));
+    }
+  }
+  return weights;
+}
+
 double Animation::seconds() const {
   float last = 0.0F;
   for (const Track& track : tracks) last = std::max(last, track.times.back());
+  for (const WeightTrack& track : weight_tracks) last = std::max(last, track.times.back());
   return last;
 }
 
@@ -114,7 +156,13 @@ Mat4 without_scale(const Mat4& m) {
 
 void hang(Scene& scene) {
   Animation& animation = scene.animation;
-  if (animation.empty()) animation.nodes.clear();
+  settle_deformers(scene);
+  deform(scene, animation.worlds_at_rest(), {});
+  if (animation.empty()) {
+    animation.nodes.clear();
+    scene.deformers.clear();
+    for (Object& object : scene.objects) object.deformer = -1;
+  }
   std::vector<char> moves(animation.nodes.size(), 0);
   for (const Track& track : animation.tracks) moves[static_cast<std::size_t>(track.node)] = 1;
   for (std::size_t i = 0; i < moves.size(); ++i) {
@@ -145,6 +193,7 @@ void pose(Scene& scene, double seconds) {
   for (Object& object : scene.objects) {
     if (object.mount.node >= 0) object.world_from_object = world_of(object.mount);
   }
+  if (!scene.deformers.empty()) deform(scene, worlds, weights_at(scene.animation, seconds));
   for (Camera& camera : scene.cameras) {
     if (camera.mount.node >= 0) camera.world_from_camera = without_scale(world_of(camera.mount));
     if (camera.fitted_near) camera.near_plane = 0.0F;

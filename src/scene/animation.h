@@ -37,12 +37,24 @@ struct Track {
   std::vector<Vec4> values;  ///< rotations as x, y, z, w
 };
 
+/// The weights of a node's morph targets over time.
+struct WeightTrack {
+  int node = 0;
+  Track::Interpolation interpolation = Track::Interpolation::kLinear;
+  std::vector<float> times;   ///< seconds, ascending, at least one
+  std::vector<float> values;  ///< [times x targets]; cubic ones [times x 3 x targets], as Track::values
+
+  /// [targets]
+  [[nodiscard]] std::vector<float> at(double seconds) const;
+};
+
 /// All that moves in a scene. Nothing does without tracks.
 struct Animation {
   std::vector<Node> nodes;  ///< parents first
   std::vector<Track> tracks;
+  std::vector<WeightTrack> weight_tracks = {};
 
-  [[nodiscard]] bool empty() const { return tracks.empty(); }
+  [[nodiscard]] bool empty() const { return tracks.empty() && weight_tracks.empty(); }
   [[nodiscard]] double seconds() const;  ///< the last time of all tracks
   /// World from node of every node. cost O(nodes + keys).
   [[nodiscard]] std::vector<Mat4> worlds_at(double seconds) const;
@@ -64,10 +76,12 @@ Mat4 local_matrix(const Node& node);
 Mat4 without_scale(const Mat4& m);
 
 /// Hangs the things of a scene, which name their nodes, from where these are at rest. What no track moves is taken off
-/// its node; without tracks the nodes go too. Call it once when all is in place. cost O(nodes + things).
+/// its node; without tracks the nodes go too. Meshes that deform are as at rest. Call it once when all is in place.
+/// cost O(nodes + things), O(vertices) of what deforms.
 void hang(Scene& scene);
 
-/// Moves the objects, cameras and lights of a scene to where they are at a time; what hangs from no node stays. The
+/// Moves the objects, cameras and lights of a scene to where they are at a time, and the vertices of skins and morph
+/// targets; what hangs from no node stays. The
 /// frame of the scene stays that at rest, because parameters are measured in it; clip planes that the file does not
 /// give follow. cost O(vertices) for the bounds. source the glTF 2.0 specification, section 3.11 and appendix C.
 void pose(Scene& scene, double seconds);

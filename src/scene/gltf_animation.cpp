@@ -39,7 +39,6 @@ class TrackReader {
         if (track) tracks.push_back(std::move(*track));
       }
     }
-    if (!tracks.empty() && !model_->skins.empty()) warn("skins do not move");
     return tracks;
   }
 
@@ -53,6 +52,7 @@ class TrackReader {
                                             const tinygltf::AnimationChannel& channel, const std::string& field) {
     if (channel.target_node < 0) return std::optional<Track>();  // the format: such a channel is ignored
     if (static_cast<std::size_t>(channel.target_node) >= place_of_->size()) return bad("there is no such node", field);
+    if (channel.target_path == "weights") return std::optional<Track>();
     const auto property = kProperties.find(channel.target_path);
     if (property == kProperties.end()) {
       warn(fmt::format("{} moves \"{}\", which stands still here", field, channel.target_path));
@@ -79,17 +79,8 @@ class TrackReader {
   }
 
   Result<void> read_keys(const tinygltf::AnimationSampler& sampler, const std::string& field, Track& track) const {
-    const auto interpolation = kInterpolations.find(sampler.interpolation);
-    if (interpolation == kInterpolations.end()) {
-      return bad(fmt::format("unknown interpolation \"{}\"", sampler.interpolation), field);
-    }
-    track.interpolation = interpolation->second;
-    LUM_TRY(track.times, gltf_floats(*model_, sampler.input, 1, path_, field + ".input"));
-    if (track.times.empty()) return bad("an animation needs a key", field + ".input");
-    for (std::size_t i = 0; i < track.times.size(); ++i) {
-      if (!std::isfinite(track.times[i])) return bad("a time is not finite", field + ".input");
-      if (i > 0 && !(track.times[i] > track.times[i - 1])) return bad("times must ascend", field + ".input");
-    }
+    LUM_TRY(track.interpolation, gltf_interpolation(sampler.interpolation, path_, field));
+    LUM_TRY(track.times, gltf_times(*model_, sampler.input, path_, field + ".input"));
     const int components = track.property == Track::Property::kRotation ? 4 : 3;
     LUM_TRY(const std::vector<float> numbers,
             gltf_floats(*model_, sampler.output, components, path_, field + ".output"));
@@ -115,6 +106,25 @@ class TrackReader {
 };
 
 }  // namespace
+
+Result<Track::Interpolation> gltf_interpolation(const std::string& word, const std::string& path,
+                                                const std::string& field) {
+  const auto interpolation = kInterpolations.find(word);
+  if (interpolation != kInterpolations.end()) return interpolation->second;
+  return Error{ErrorKind::kBadContent, fmt::format("unknown interpolation \"{}\"", word), path, field, ""};
+}
+
+Result<std::vector<float>> gltf_times(const tinygltf::Model& model, int accessor, const std::string& path,
+                                      const std::string& field) {
+  const auto bad = [&](const char* what) { return Error{ErrorKind::kBadContent, what, path, field, ""}; };
+  LUM_TRY(std::vector<float> times, gltf_floats(model, accessor, 1, path, field));
+  if (times.empty()) return bad("an animation needs a key");
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    if (!std::isfinite(times[i])) return bad("a time is not finite");
+    if (i > 0 && !(times[i] > times[i - 1])) return bad("times must ascend");
+  }
+  return times;
+}
 
 Result<std::vector<Track>> gltf_tracks(const tinygltf::Model& model, const std::vector<int>& place_of,
                                        const std::string& path, Diagnostics& diagnostics) {

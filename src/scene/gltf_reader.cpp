@@ -14,8 +14,11 @@
 
 #include "base/files.h"
 #include "scene/gltf_animation.h"
+#include "scene/gltf_deform.h"
 #include "scene/gltf_document.h"
+#include "scene/gltf_lights.h"
 #include "scene/gltf_materials.h"
+#include "scene/gltf_triangles.h"
 #include "scene/readers.h"
 
 namespace luminist {
@@ -25,22 +28,6 @@ constexpr int kDeepestNode = 64;
 
 bool inside(int index, std::size_t size) {
   return index >= 0 && static_cast<std::size_t>(index) < size;
-}
-
-/// The triangles of a strip, a fan or a list of corners.
-std::vector<std::array<std::uint32_t, 3>> triangles_of(const std::vector<std::uint32_t>& corners, int mode) {
-  std::vector<std::array<std::uint32_t, 3>> triangles;
-  const std::size_t step = mode == TINYGLTF_MODE_TRIANGLES ? 3 : 1;
-  for (std::size_t i = 0; i + 2 < corners.size(); i += step) {
-    if (mode == TINYGLTF_MODE_TRIANGLE_FAN) {
-      triangles.push_back({corners[0], corners[i + 1], corners[i + 2]});
-    } else if (mode == TINYGLTF_MODE_TRIANGLE_STRIP && i % 2 == 1) {
-      triangles.push_back({corners[i + 1], corners[i], corners[i + 2]});
-    } else {
-      triangles.push_back({corners[i], corners[i + 1], corners[i + 2]});
-    }
-  }
-  return triangles;
 }
 
 class GltfReader {
@@ -62,12 +49,15 @@ class GltfReader {
   Result<Node> local_frame(int index) const;
   Result<void> add_objects(const tinygltf::Node& node, int place, const Mat4& world_from_node);
   Result<int> mesh_index(int mesh, std::size_t primitive);
+  /// The mesh of a primitive that deforms, whose deformer is then the last of the scene's; -1: it is no surface.
+  Result<int> own_mesh(const tinygltf::Node& node, std::size_t primitive);
+  void hang_deformer(const tinygltf::Node& node, int place, Object& object);
   /// What extras.luminist.shadow_mesh of a node names, or -1.
   Result<int> shadow_mesh(const tinygltf::Node& node);
   Result<std::optional<Mesh>> read_primitive(const tinygltf::Primitive& primitive, const std::string& field);
   Result<void> read_attributes(const tinygltf::Primitive& primitive, const std::string& field, Mesh& mesh) const;
   void add_camera(const tinygltf::Node& node, int place, const Mat4& world_from_node);
-  void add_light(const tinygltf::Node& node, int place, const Mat4& world_from_node);
+  void find_joints();
   int default_material();
 
   std::string path_;
@@ -153,7 +143,7 @@ Result<void> GltfReader::add_node(int index, int parent, const Mat4& world_from_
   if (volume > 0.0F) {
     if (node.mesh >= 0) LUM_TRY_VOID(add_objects(node, here, world));
     if (node.camera >= 0) add_camera(node, here, world);
-    add_light(node, here, world);
+    add_gltf_light(*model_, node, here, world, path_, scene_, *diagnostics_);
   } else {
     warn(fmt::format("{} is scaled to nothing and is left out", field));
   }
@@ -175,7 +165,8 @@ Result<void> GltfReader::add_objects(const tinygltf::Node& node, int place, cons
   const tinygltf::Mesh& mesh = model_->meshes[static_cast<std::size_t>(node.mesh)];
   LUM_TRY(const int shadow, shadow_mesh(node));
   for (std::size_t i = 0; i < mesh.primitives.size(); ++i) {
-    LUM_TRY(const int index, mesh_index(node.mesh, i));
+    const bool deforms = gltf_deforms(*model_, node, mesh.primitives[i]);
+    LUM_TRY(const int index, deforms ? own_mesh(node, i) : mesh_index(node.mesh, i));
     if (index < 0) continue;
     Object object;
     object.name = node.name.empty() ? mesh.name : node.name;
@@ -186,7 +177,8 @@ Result<void> GltfReader::add_objects(const tinygltf::Node& node, int place, cons
     object.mount.node = place;
     object.backdrop =
         node.extras.Has("backdrop") && node.extras.Get("backdrop").IsBool() && node.extras.Get("backdrop").Get<bool>();
-    object.shadow_mesh = shadow;
+    object.shadow_mesh = deforms ? -1 : shadow;
+    if (deforms) hang_deformer(node, place, object);
     scene_.objects.push_back(std::move(object));
   }
   return {};
@@ -205,19 +197,37 @@ Result<int> GltfReader::mesh_index(int mesh, std::size_t primitive) {
   return entry->second;
 }
 
-/// Positions, normals and triangles of b behind those of a: all that blocks light.
-void join(const Mesh& b, Mesh& a) {
-  const auto first = static_cast<std::uint32_t>(a.positions.size());
-  const bool normals = a.normals.size() == a.positions.size() && b.normals.size() == b.positions.size();
-  a.positions.insert(a.positions.end(), b.positions.begin(), b.positions.end());
-  a.normals.insert(a.normals.end(), b.normals.begin(), b.normals.end());
-  if (!normals) a.normals.clear();
-  // An index that points to nothing must not point into the other mesh now.
-  constexpr std::uint32_t kNothing = 0xffffffffU;
-  for (const auto& t : b.triangles) {
-    std::array<std::uint32_t, 3> moved;
-    for (std::size_t k = 0; k < 3; ++k) moved[k] = t[k] < b.positions.size() ? first + t[k] : kNothing;
-    a.triangles.push_back(moved);
+Result<int> GltfReader::own_mesh(const tinygltf::Node& node, std::size_t primitive) {
+  const std::string field = fmt::format("meshes[{}].primitives[{}]", node.mesh, primitive);
+  const tinygltf::Primitive& from = model_->meshes[static_cast<std::size_t>(node.mesh)].primitives[primitive];
+  LUM_TRY(std::optional<Mesh> made, read_primitive(from, field));
+  if (!made) return -1;
+  LUM_TRY(Deformer deformer, gltf_deformer(*model_, node, from, *made, path_, field, *diagnostics_));
+  scene_.deformers.push_back(std::move(deformer));
+  scene_.meshes.push_back(std::move(*made));
+  return static_cast<int>(scene_.meshes.size()) - 1;
+}
+
+void GltfReader::hang_deformer(const tinygltf::Node& node, int place, Object& object) {
+  object.deformer = static_cast<int>(scene_.deformers.size()) - 1;
+  scene_.deformers.back().node = place;
+  if (!scene_.deformers.back().joints.empty()) {
+    object.world_from_object = Mat4(1.0F);  // joints place it
+    object.mount.node = -1;
+  }
+  if (node.extras.Has("luminist") && node.extras.Get("luminist").Has("shadow_mesh")) {
+    warn(fmt::format("node \"{}\" deforms; its own mesh casts its shadow", node.name));
+  }
+}
+
+/// The deformers' joints among the scene's nodes; a skin that hangs from elsewhere is as stiff as its mesh.
+void GltfReader::find_joints() {
+  for (Object& object : scene_.objects) {
+    if (object.deformer < 0) continue;
+    Deformer& deformer = scene_.deformers[static_cast<std::size_t>(object.deformer)];
+    if (place_joints(deformer, place_of_)) continue;
+    warn(fmt::format("the skin of \"{}\" hangs from a node that is not in the scene, and does not move", object.name));
+    deformer.joints.clear();
   }
 }
 
@@ -236,7 +246,7 @@ Result<int> GltfReader::shadow_mesh(const tinygltf::Node& node) {
   Mesh joined;
   for (std::size_t i = 0; i < primitives; ++i) {
     LUM_TRY(const int part, mesh_index(mesh, i));
-    if (part >= 0) join(scene_.meshes[static_cast<std::size_t>(part)], joined);
+    if (part >= 0) append(scene_.meshes[static_cast<std::size_t>(part)], joined);
   }
   entry->second = static_cast<int>(scene_.meshes.size());
   scene_.meshes.push_back(std::move(joined));
@@ -336,38 +346,13 @@ void GltfReader::add_camera(const tinygltf::Node& node, int place, const Mat4& w
   scene_.cameras.push_back(std::move(camera));
 }
 
-void GltfReader::add_light(const tinygltf::Node& node, int place, const Mat4& world_from_node) {
-  const auto extension = node.extensions.find("KHR_lights_punctual");
-  if (extension == node.extensions.end() || !extension->second.Has("light")) return;
-  const tinygltf::Value& reference = extension->second.Get("light");
-  const int index = reference.IsNumber() ? reference.GetNumberAsInt() : -1;
-  if (!inside(index, model_->lights.size())) return warn("a node names a light that is not there");
-  const tinygltf::Light& from = model_->lights[static_cast<std::size_t>(index)];
-  const std::map<std::string, PunctualLight::Kind> kinds{{"point", PunctualLight::Kind::kPoint},
-                                                         {"spot", PunctualLight::Kind::kSpot},
-                                                         {"directional", PunctualLight::Kind::kSun}};
-  const auto kind = kinds.find(from.type);
-  if (kind == kinds.end()) return warn(fmt::format("lights[{}] is of the unknown type \"{}\"", index, from.type));
-  PunctualLight light;
-  light.name = !node.name.empty() ? node.name : (!from.name.empty() ? from.name : from.type);
-  light.kind = kind->second;
-  if (from.color.size() == 3) light.color = Vec3(glm::dvec3(from.color[0], from.color[1], from.color[2]));
-  light.intensity = static_cast<float>(std::max(from.intensity, 0.0));
-  light.range = static_cast<float>(std::max(from.range, 0.0));
-  light.outer_angle = static_cast<float>(std::clamp(from.spot.outerConeAngle, 1e-3, 0.5 * kPi));
-  light.inner_angle = static_cast<float>(std::clamp<double>(from.spot.innerConeAngle, 0.0, light.outer_angle));
-  const Mat4 frame = without_scale(world_from_node);
-  light.position = Vec3(frame[3]);
-  light.direction = -Vec3(frame[2]);
-  light.mount.node = place;
-  scene_.lights.push_back(std::move(light));
-}
-
 Result<Scene> GltfReader::read() {
   LUM_TRY_VOID(refuse_unknown_compression());
   LUM_TRY_VOID(add_gltf_materials(*model_, path_, scene_, *diagnostics_));
   for (const int root : roots()) LUM_TRY_VOID(add_node(root, -1, Mat4(1.0F), 1));
+  find_joints();
   LUM_TRY(scene_.animation.tracks, gltf_tracks(*model_, place_of_, path_, *diagnostics_));
+  LUM_TRY(scene_.animation.weight_tracks, gltf_weight_tracks(*model_, place_of_, path_, *diagnostics_));
   return std::move(scene_);
 }
 

@@ -216,7 +216,7 @@ void GltfWriter::add_moving_nodes() {
 }
 
 void GltfWriter::add_tracks() {
-  if (scene_->animation.empty()) return;
+  if (scene_->animation.tracks.empty()) return;
   tinygltf::Animation animation;
   for (const Track& track : scene_->animation.tracks) {
     tinygltf::AnimationSampler sampler;

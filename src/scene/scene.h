@@ -8,6 +8,7 @@
 #include "base/math.h"
 #include "base/result.h"
 #include "scene/animation.h"
+#include "scene/deform.h"
 #include "scene/material.h"
 #include "scene/mesh.h"
 
@@ -22,6 +23,7 @@ struct Object {
   bool backdrop = false;  ///< an added floor or wall: not part of the scene's frame
   Mount mount = {};
   int shadow_mesh = -1;  ///< index of the mesh that blocks light in its stead; -1: its own
+  int deformer = -1;     ///< what moves the vertices of its mesh, which is then no other object's; -1: nothing
 
   [[nodiscard]] int blocking_mesh() const { return shadow_mesh >= 0 ? shadow_mesh : mesh; }
 };
@@ -67,6 +69,7 @@ struct Scene {
   std::vector<Camera> cameras;  ///< at least one after load_scene()
   std::vector<PunctualLight> lights;
   Animation animation;
+  std::vector<Deformer> deformers;
   std::optional<SceneFrame> rest_frame;  ///< of a scene that was posed
 
   /// World bounds of what is seen of the objects; without backdrops unless asked, or unless there is nothing else.
@@ -90,7 +93,8 @@ struct SceneOptions {
 /// errors kMissing; kBadContent naming file, position and field; kLimit above 20 M triangles.
 Result<Scene> load_scene(const std::string& path, const SceneOptions& options, Diagnostics& diagnostics);
 
-/// Writes a binary glTF with everything a Scene holds; textures become PNG. errors kUnwritable.
+/// Writes a binary glTF with everything a Scene holds; textures become PNG. What deforms is written as it is posed.
+/// errors kUnwritable.
 Result<void> save_scene(const Scene& scene, const std::string& path);
 
 }  // namespace luminist

@@ -102,6 +102,10 @@ void take_out_reflections(Scene& scene) {
   for (Object& object : scene.objects) {
     if (glm::determinant(Mat3(object.world_from_object)) >= 0.0F) continue;
     object.mesh = reflect(object.mesh);
+    if (object.deformer >= 0) {
+      Deformer& deformer = scene.deformers[static_cast<std::size_t>(object.deformer)];
+      deformer = mirrored(deformer);
+    }
     if (object.shadow_mesh >= 0) object.shadow_mesh = reflect(object.shadow_mesh);
     object.world_from_object = object.world_from_object * reflection;
   }

@@ -87,6 +87,17 @@ Result<std::optional<double>> Action::number(const char* field) const {
   return std::optional(value.get<double>());
 }
 
+Result<std::vector<double>> Action::numbers(const char* field) const {
+  std::vector<double> numbers;
+  if (!has(field)) return numbers;
+  const Json& list = (*json_)[field];
+  for (const Json& value : list.is_array() ? list : Json::array({nullptr})) {
+    if (!value.is_number()) return wrong("an array of numbers is wanted", field);
+    numbers.push_back(value.get<double>());
+  }
+  return numbers;
+}
+
 Result<std::optional<bool>> Action::flag(const char* field) const {
   if (!has(field)) return std::optional<bool>{};
   const Json& value = (*json_)[field];

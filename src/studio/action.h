@@ -34,6 +34,7 @@ class Action {
   [[nodiscard]] Result<std::optional<bool>> flag(const char* field) const;
   /// A string, or an array of strings.
   [[nodiscard]] Result<std::vector<std::string>> texts(const char* field) const;
+  [[nodiscard]] Result<std::vector<double>> numbers(const char* field) const;  ///< an array of numbers
   /// [width, height].
   [[nodiscard]] Result<std::optional<std::pair<int, int>>> size(const char* field) const;
   /// The same, and kBadContent if it is missing.

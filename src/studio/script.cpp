@@ -10,6 +10,7 @@
 #include "image_io/image_io.h"
 #include "paint/stroke.h"
 #include "studio/constraint_words.h"
+#include "studio/light_kinds.h"
 #include "studio/paint_layers.h"
 #include "studio/script_runner.h"
 
@@ -43,7 +44,9 @@ const std::vector<ScriptRunner::Verb>& ScriptRunner::verbs() {
       {"style", {"name"}, &R::style},
       {"go_to", {"frame"}, &R::go_to},
       {"key", {"pattern", "interpolation"}, &R::key},
-      {"remove_key", {"pattern"}, &R::key},
+      {"remove_key", {"pattern", "frame"}, &R::key},
+      {"move_key", {"pattern", "from", "to"}, &R::move_key},
+      {"key_interpolation", {"pattern", "frame", "interpolation"}, &R::key_interpolation},
       {"paint", {"strokes", "path", "layer"}, &R::paint},
       {"layer", {"name", "rename", "visible", "opacity", "place"}, &R::layer},
       {"remove_layer", {"name"}, &R::remove_layer},
@@ -53,8 +56,11 @@ const std::vector<ScriptRunner::Verb>& ScriptRunner::verbs() {
       {"delete_stroke", {"stroke"}, &R::delete_stroke},
       {"importance", {"nu", "delta"}, &R::importance},
       {"target", {"image", "importance"}, &R::target},
-      {"clear_paint", kNone, &R::clear_paint},
+      {"clear_paint", {"frame"}, &R::clear_paint},
       {"solve", {"solver", "seed", "max_evals", "until", "restarts", "seconds"}, &R::solve},
+      {"solve_frames",
+       {"frames", "weights", "judge", "solver", "seed", "max_evals", "until", "restarts"},
+       &R::solve_frames},
       {"make_up", {"light", "to", "solver", "seed", "max_evals", "until", "restarts"}, &R::make_up},
       {"alternatives", {"count", "within", "tries", "seed", "to", "take"}, &R::alternatives},
       {"diet", {"budget", "fewest", "breadth", "seed", "to", "take"}, &R::diet},
@@ -155,6 +161,11 @@ Result<void> ScriptRunner::add_light(const Action& action) {
   light.lock_others = lock_others.value_or(true);
   light.dark = dark.value_or(false);
   LUM_TRY(const auto count, action.number("count"));
+  if (is_any_kind(light.type)) {
+    if (count) return action.wrong("one light at a time is added of any kind", "count");
+    LUM_TRY_VOID(add_light_of_any_kind(*session_, light, {}, events_.watch));
+    return {};
+  }
   if (count) {
     if (!(*count >= 1.0 && *count <= 64.0 && *count == std::floor(*count))) {
       return action.wrong("a whole number from 1 to 64 is wanted", "count");
@@ -209,29 +220,6 @@ Result<void> ScriptRunner::style(const Action& action) {
   return session_->restyle(name);
 }
 
-Result<void> ScriptRunner::go_to(const Action& action) {
-  LUM_TRY(const auto frame, action.number("frame"));
-  if (!frame) return action.wrong("\"go_to\" needs this field", "frame");
-  return session_->go_to(*frame);
-}
-
-Result<void> ScriptRunner::key(const Action& action) {
-  LUM_TRY(const std::vector<std::string> patterns, action.texts("pattern"));
-  if (patterns.empty()) return action.wrong(fmt::format("\"{}\" needs this field", action.verb()), "pattern");
-  LUM_TRY(const auto word, action.text("interpolation"));
-  const std::span<const std::string> words = key_interpolation_words();
-  const auto found = std::find(words.begin(), words.end(), word.value_or("smooth"));
-  if (found == words.end()) {
-    return action.wrong(fmt::format("use one of {}", fmt::join(words, ", ")), "interpolation");
-  }
-  for (const std::string& pattern : patterns) {
-    LUM_TRY_VOID(action.verb() == "key"
-                     ? session_->set_keys(pattern, static_cast<KeyInterpolation>(found - words.begin()))
-                     : session_->remove_keys(pattern));
-  }
-  return {};
-}
-
 Result<ScriptStrokes> ScriptRunner::strokes_of(const Action& action) const {
   if (const auto inline_strokes = action.object("strokes")) {
     LUM_TRY(StrokeFile strokes, parse_strokes(*inline_strokes, action.where()));
@@ -270,9 +258,6 @@ Result<void> ScriptRunner::target(const Action& action) {
   return session_->set_target(color, importance);
 }
 
-Result<void> ScriptRunner::clear_paint(const Action&) {
-  return session_->clear_paint();
-}
 Result<void> ScriptRunner::accept(const Action&) {
   return session_->accept();
 }

@@ -65,6 +65,9 @@ class ScriptRunner {
   Result<void> style(const Action& action);
   Result<void> go_to(const Action& action);
   Result<void> key(const Action& action);
+  Result<void> move_key(const Action& action);
+  Result<void> key_interpolation(const Action& action);
+  Result<void> solve_frames(const Action& action);
   Result<ScriptStrokes> strokes_of(const Action& action) const;
   Result<void> paint(const Action& action);
   Result<void> importance(const Action& action);

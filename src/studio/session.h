@@ -73,9 +73,9 @@ class Session : private SessionData {
   Result<void> share_shadows(const std::string& name);
   /// Replaces the lights by those of a file. errors those of find_input() and load_rig().
   Result<void> load_rig(const std::string& path, const std::filesystem::path& folder);
-  /// Looks at another frame: what moves is moved, the lights are as their keys say, and the paint of the frame that is
-  /// left stays with it. cost reading nothing, drawing the scene anew where something moves. errors kUsage for a number
-  /// that is not finite.
+  /// Looks at another frame: what moves is moved, the lights are as their keys say, those of the scene that are where
+  /// it has them go with it (pose_lights()), and the paint of the frame that is left stays with it. cost reading
+  /// nothing, drawing the scene anew where something moves. errors kUsage for a number that is not finite.
   Result<void> go_to(double frame);
   /// Keys at this frame for the parameters of lights that a pattern names (render/param_state.h), whatever their
   /// locks. From then on what is changed at a frame, by hand or by an accepted solve, is a key there.
@@ -133,6 +133,7 @@ class Session : private SessionData {
 
  private:
   friend class PaintLayers;
+  friend class Shots;  ///< the same session beyond its frame (studio/shots.h)
   explicit Session(SessionData data) : SessionData(std::move(data)) {}
   Result<Canvas*> canvas();
   Result<StartLight> start_light();

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "project/frame_paint.h"
 #include "project/paint_document.h"
 #include "project/state_document.h"
 #include "studio/session.h"
@@ -97,6 +98,9 @@ Result<void> Session::accept() {
   write_state(next, document);
   LUM_TRY_VOID(write_paint(rebased.state(), document, project_.tiles()));
   Solved accepted = *solved();
+  for (const SolvedFrame& each : accepted.frames) {
+    if (each.frame != shot_.frame) put_frame_paint(document, each.frame, each.accepted);
+  }
   const SolveReport& report = accepted.report;
   const Json action = {{"do", "accept"},
                        {"solver", report.solver},

@@ -17,8 +17,12 @@ Result<SharedSolve> SharedSolve::create(std::span<Session* const> sessions, std:
     LUM_TRY(const Target* target, session->target());
     views.push_back({session->stage().renderer.get(), *target, session->state().style, weights[k]});
   }
+  return create(std::move(views), sessions.front()->state().rig, options);
+}
+
+Result<SharedSolve> SharedSolve::create(std::vector<View> views, const LightRig& rig, const SolveOptions& options) {
   LUM_TRY(std::unique_ptr<Views> joined, Views::create(std::move(views)));
-  ParamState start = joined->joint(sessions.front()->state().rig);
+  ParamState start = joined->joint(rig);
   SharedSolve shared(std::move(joined), std::move(start));
   LUM_TRY(shared.solve_, SolveSession::create(*shared.views_, shared.start_, shared.views_->target(), options));
   return shared;

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <memory>
 #include <span>
+#include <vector>
 
 #include "render/views.h"
 #include "studio/session.h"
@@ -19,6 +20,9 @@ class SharedSolve {
   /// those of Views::create().
   static Result<SharedSolve> create(std::span<Session* const> sessions, std::span<const double> weights,
                                     const SolveOptions& options);
+
+  /// The same of views that are ready, from a rig with its locks and constraints. What the views point to outlives it.
+  static Result<SharedSolve> create(std::vector<View> views, const LightRig& rig, const SolveOptions& options);
 
   /// As SolveSession. errors the engines'.
   Result<bool> run_for(std::chrono::milliseconds slice) { return solve_->run_for(slice); }

@@ -92,6 +92,16 @@ Result<ParamState> starting_state(const Stage& stage, const AssetRoots& roots, c
   return state;
 }
 
+Result<bool> pose_lights(LightRig& rig, const Stage& from, const Stage& to, double frame) {
+  pose(rig, frame);
+  if (&from == &to || from.scene_lights.empty()) return false;
+  LUM_TRY(const std::vector<Light> before, from_punctual(from.scene_lights, from.types, from.frame));
+  LUM_TRY(const std::vector<Light> after, from_punctual(to.scene_lights, to.types, to.frame));
+  const bool moved = follow_scene(rig, before, after);
+  if (moved) keep_constraints(rig);
+  return moved;
+}
+
 Result<ShadowPair> render_shadow_pair(Renderer& renderer, const ParamState& lights) {
   ParamState free_lights_off = lights;
   for (Light& light : free_lights_off.rig.lights) light.muted = light.muted || may_change(lights.rig, light);

@@ -56,6 +56,11 @@ Result<std::unique_ptr<Stage>> open_stage(Device& device, const AssetRoots& root
 Result<ParamState> starting_state(const Stage& stage, const AssetRoots& roots, const Shot& shot,
                                   const std::filesystem::path& folder);
 
+/// Lights at another frame: as their keys say, then the scene's own where the scene has them (follow_scene()), then as
+/// the constraints say. from: a stage of the frame that they are at; to: one of the other. returns whether a light of
+/// the scene went anywhere.
+Result<bool> pose_lights(LightRig& rig, const Stage& from, const Stage& to, double frame);
+
 /// What the shadow brush and eraser copy from: without the lights that may change, and without shadows.
 /// errors the renderer's. cost two pictures.
 Result<ShadowPair> render_shadow_pair(Renderer& renderer, const ParamState& lights);

@@ -13,6 +13,7 @@
 #include "render/surface_buffer.h"
 #include "scene/scene.h"
 #include "solve/solve_session.h"
+#include "studio/frame_facts.h"
 #include "studio/shot.h"
 #include "verdict/verdict.h"
 
@@ -92,6 +93,7 @@ struct StudioSnapshot {
   std::optional<Verdict> verdict;
   std::shared_ptr<const std::vector<Offer>> offers;  ///< null: nothing was looked for
   HistoryFacts history;
+  std::shared_ptr<const FrameFacts> frames;  ///< null without a session
 };
 
 }  // namespace luminist

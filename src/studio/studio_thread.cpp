@@ -48,6 +48,10 @@ void StudioThread::push(Entry entry) {
         last.assignments = std::move(entry.assignments);
         return;
       }
+      if (entry.kind == Entry::Kind::kFrame) {
+        last.frame = entry.frame;
+        return;
+      }
       if (entry.kind == Entry::Kind::kExtend) {
         last.points.insert(last.points.end(), entry.points.begin(), entry.points.end());
         return;
@@ -59,7 +63,7 @@ void StudioThread::push(Entry entry) {
 }
 
 void StudioThread::post(std::string label, Job job) {
-  push({Entry::Kind::kJob, std::move(label), std::move(job), {}, {}});
+  push({Entry::Kind::kJob, std::move(label), std::move(job), {}, {}, 0.0});
 }
 
 void StudioThread::act(std::string label, Workbench::Task task, Workbench::After after) {
@@ -88,7 +92,7 @@ void StudioThread::begin_stroke(Stroke stroke, fs::path folder) {
 }
 
 void StudioThread::extend_stroke(std::vector<StrokePoint> points) {
-  push({Entry::Kind::kExtend, "paint", {}, std::move(points), {}});
+  push({Entry::Kind::kExtend, "paint", {}, std::move(points), {}, 0.0});
 }
 
 void StudioThread::end_stroke() {
@@ -96,7 +100,30 @@ void StudioThread::end_stroke() {
 }
 
 void StudioThread::preview(std::vector<std::string> assignments) {
-  push({Entry::Kind::kPreview, "preview", {}, {}, std::move(assignments)});
+  push({Entry::Kind::kPreview, "preview", {}, {}, std::move(assignments), 0.0});
+}
+
+void StudioThread::preview_frame(double frame) {
+  push({Entry::Kind::kFrame, "look at another frame", {}, {}, {}, frame});
+}
+
+void StudioThread::go_to(double frame) {
+  {
+    const std::lock_guard lock(mutex_);
+    std::erase_if(queue_, [](const Entry& entry) { return entry.kind == Entry::Kind::kFrame; });
+  }
+  post("go to another frame", [this, frame](Workbench& bench) -> Result<void> {
+    frames_->leave_preview();
+    if (!bench.has_session() || bench.session().shot().frame == frame) return {};
+    return bench.change([frame](Session& session) { return session.go_to(frame); });
+  });
+}
+
+void StudioThread::want_strip(int pictures, int step) {
+  post("", [this, pictures, step](Workbench&) -> Result<void> {
+    frames_->want(pictures, step);
+    return {};
+  });
 }
 
 void StudioThread::cancel() {
@@ -149,6 +176,7 @@ bool StudioThread::open_device() {
   }
   device_ = std::make_unique<Device>(std::move(*device));
   bench_ = std::make_unique<Workbench>(*device_, options_.roots, options_.unsaved);
+  frames_ = std::make_unique<FrameStrip>(*device_, options_.roots);
   return true;
 }
 
@@ -156,6 +184,7 @@ bool StudioThread::open_device() {
 void StudioThread::reopen(const std::string& why) {
   const fs::path folder = bench_->folder();
   bench_.reset();
+  frames_.reset();
   device_.reset();
   if (!open_device()) return;
   if (folder.empty()) return;
@@ -208,6 +237,9 @@ void StudioThread::work(Entry entry) {
     case Entry::Kind::kPreview:
       if (bench_->has_session()) result = bench_->preview(entry.assignments);
       break;
+    case Entry::Kind::kFrame:
+      if (bench_->has_session()) result = frames_->preview(bench_->session(), *latest()->shown, entry.frame);
+      break;
   }
   attend(result);
 }
@@ -224,9 +256,11 @@ void StudioThread::publish() {
     attend(std::move(snapshot).error());
     return;
   }
+  auto next = std::make_shared<StudioSnapshot>(**snapshot);
+  if (bench_->has_session()) frames_->tell(bench_->session(), *next);
   {
     const std::lock_guard lock(mutex_);
-    latest_ = std::move(*snapshot);
+    latest_ = std::move(next);
     doing_.clear();
   }
   if (options_.on_change) options_.on_change();
@@ -244,28 +278,42 @@ bool StudioThread::step() {
   return going;
 }
 
-/// What waits until there is nothing else to do.
-void StudioThread::idle() {
-  if (!bench_ || !bench_->has_session()) return;
+/// One small picture of the strip. returns whether there was one to make.
+Result<bool> StudioThread::draw_frame() {
+  const auto shown = latest()->shown;
+  if (!shown) return false;
+  return frames_->step(bench_->session(), *shown);
+}
+
+/// What waits until there is nothing else to do. returns whether to come back at once.
+bool StudioThread::idle() {
+  if (!bench_ || !bench_->has_session()) return false;
   attend(bench_->sync_if_due());
-  if (!bench_) return;
+  if (!bench_) return false;
   attend(bench_->prepare());
-  if (!bench_) return;
+  if (!bench_) return false;
   const auto refreshed = bench_->refresh_style();
   if (!refreshed) attend(refreshed.error());
   if (refreshed && *refreshed) {
     tell({StudioMessage::Kind::kNote, "the style was read again", "", ""});
     publish();
   }
+  if (!bench_) return false;
+  const auto drawn = draw_frame();
+  if (!drawn) attend(drawn.error());
+  if (!drawn || !*drawn || !bench_) return false;
+  publish();
+  return true;
 }
 
 void StudioThread::run() {
   if (!open_device()) return;
   bool more = false;
+  bool again = false;
   while (bench_) {  // gone if no device can be made any more, which was told
     try {
       Entry entry;
-      if (take(entry, more)) {
+      if (take(entry, more || again)) {
         work(std::move(entry));
         publish();
         more = true;
@@ -276,7 +324,7 @@ void StudioThread::run() {
         if (ending_) break;
       }
       more = more && step();
-      if (!more) idle();
+      again = !more && idle();
     } catch (const std::exception& exception) {
       more = false;
       reopen(std::string("something went wrong: ") + exception.what());
@@ -284,6 +332,7 @@ void StudioThread::run() {
     }
   }
   bench_.reset();
+  frames_.reset();
   device_.reset();
 }
 

@@ -11,6 +11,7 @@
 #include <thread>
 #include <vector>
 
+#include "studio/frame_strip.h"
 #include "studio/workbench.h"
 
 namespace luminist {
@@ -54,6 +55,13 @@ class StudioThread {
   void extend_stroke(std::vector<StrokePoint> points);
   void end_stroke();
   void preview(std::vector<std::string> assignments);
+  /// Shows a quick picture of another frame while a hand drags through time; those that were overtaken are left out.
+  void preview_frame(double frame);
+  /// Goes there, in place of any preview that waits; lights of a proposal come in force first. The same frame: only the
+  /// preview ends.
+  void go_to(double frame);
+  /// Small pictures around the present frame, made when there is nothing else to do. 0: none.
+  void want_strip(int pictures, int step);
   /// Ends what runs: a solve keeps its best; a task that asks cancelled() comes to its end.
   void cancel();
   [[nodiscard]] bool cancelled() const { return cancelled_; }
@@ -75,12 +83,13 @@ class StudioThread {
 
  private:
   struct Entry {
-    enum class Kind { kJob, kExtend, kPreview };
+    enum class Kind { kJob, kExtend, kPreview, kFrame };
     Kind kind = Kind::kJob;
     std::string label;
     Job job;
     std::vector<StrokePoint> points;
     std::vector<std::string> assignments;
+    double frame = 0.0;
   };
   using Clock = std::chrono::steady_clock;
 
@@ -92,7 +101,8 @@ class StudioThread {
   void work(Entry entry);
   void attend(const Result<void>& result);
   bool step();
-  void idle();
+  bool idle();
+  Result<bool> draw_frame();
   void publish();
 
   Options options_;
@@ -109,6 +119,7 @@ class StudioThread {
   // Of the other thread.
   std::unique_ptr<Device> device_;
   std::unique_ptr<Workbench> bench_;
+  std::unique_ptr<FrameStrip> frames_;
   int reopened_ = 0;  ///< times in a row without a job that went well
   Clock::time_point published_;
   std::thread thread_;

@@ -32,6 +32,7 @@ class Workbench : private WorkbenchData {
   Result<void> open(const Shot& shot, const std::filesystem::path& folder);
   Result<void> open_project(const std::filesystem::path& folder);
   [[nodiscard]] bool has_session() const { return session_ != nullptr; }
+  [[nodiscard]] Session& session() { return *session_; }  ///< to look at; what changes it is a task
   [[nodiscard]] std::filesystem::path folder() const { return session_ ? session_->project().folder() : ""; }
 
   /// A stroke of the hand, of which nothing is recorded until it is ended; each is ended, cancelled or laid at once (a
@@ -78,8 +79,7 @@ class Workbench : private WorkbenchData {
   Result<bool> step(std::chrono::milliseconds slice);
   /// What there is to show; version counts from here.
   Result<std::shared_ptr<const StudioSnapshot>> snapshot();
-  /// Warnings since the last call, "where: what".
-  std::vector<std::string> take_warnings();
+  std::vector<std::string> take_warnings();  ///< since the last call, "where: what"
 
  private:
   Result<void> adopt_session(std::unique_ptr<Session> session);

@@ -17,6 +17,7 @@ namespace {
 constexpr float kTiny = 1e-6F;
 constexpr float kPanelLift = 1e-3F;    // of the scene's radius: a panel on a ceiling is before the ceiling
 constexpr float kLeastSide = 2e-3F;    // of the scene's radius
+constexpr float kSunDistance = 2e3F;   // of the scene's radius
 constexpr float kMostSoftness = 0.5F;  // as in the raster engine
 
 float saturate(float x) {
@@ -91,6 +92,7 @@ std::optional<RigLight::Kind> kind_of(const std::string& type) {
   if (type == "cinematic") return RigLight::Kind::kCinematic;
   if (type == "point") return RigLight::Kind::kPoint;
   if (type == "area") return RigLight::Kind::kArea;
+  if (type == "sun") return RigLight::Kind::kSun;
   return std::nullopt;
 }
 
@@ -102,7 +104,7 @@ Result<RigLight> rig_light(const LightRig& rig, int index, const Softness& softn
   const std::optional<RigLight::Kind> kind = kind_of(source.type);
   if (!kind) {
     return Error{ErrorKind::kStyle, fmt::format("the path tracer has no light of the type \"{}\"", source.type), "",
-                 source.name, "it has cinematic, point and area"};
+                 source.name, "it has cinematic, point, area and sun"};
   }
   const Values values(source.params);
   RigLight light;
@@ -120,6 +122,8 @@ Result<RigLight> rig_light(const LightRig& rig, int index, const Softness& softn
   light.shadow_density = values.number("shadow_density", 1.0F);
   const float wanted = values.number("shadow_softness", 0.0F);
   light.shadow_softness = std::clamp(std::max(wanted, softness.shadow_angle), 0.0F, kMostSoftness);
+  // So far away that its rays cross the scene within a thousandth of a radian of each other.
+  if (light.kind == RigLight::Kind::kSun) light.position = frame.center - kSunDistance * frame.radius * light.axis;
   light.shadow_position = light.position;
   if (const Light* shared = rig.shadow_light.empty() ? nullptr : rig.find(rig.shadow_light); shared != nullptr) {
     light.shadow_position = Values(shared->params).triple("position", light.position);
@@ -136,6 +140,7 @@ Result<RigLight> rig_light(const LightRig& rig, int index, const Softness& softn
 }
 
 float point_strength(const RigLight& light, const Vec3& position) {
+  if (light.kind == RigLight::Kind::kSun) return 1.0F;
   const Vec3 to_light = light.position - position;
   const float r = glm::length(to_light);
   float shape = 0.0F;

@@ -15,7 +15,7 @@ namespace luminist {
 
 /// A light, read out of its parameters. Everything is for a light of colour 1; `color` scales all it does.
 struct RigLight {
-  enum class Kind { kCinematic, kPoint, kArea };
+  enum class Kind { kCinematic, kPoint, kArea, kSun };
   Kind kind = Kind::kPoint;
   Vec3 color{1.0F};  ///< times the intensity, where the type has one
 

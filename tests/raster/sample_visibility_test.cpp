@@ -65,6 +65,20 @@ TEST_F(SampleVisibilityTest, AShadowLiesWhereTheGeometrySays) {
   }
 }
 
+TEST_F(SampleVisibilityTest, ASunsShadowIsAsLargeAsWhatCastsItAndTurnsWithIt) {
+  SampleVisibility visibility(*rays_, surface_);
+  ShadowLight sun{ShadowKind::kSun, Vec3(0.0F), Vec3(0.0F, -1.0F, 0.0F), 6.0F, 0.005F, 2048};
+  for (const float shift : {0.0F, 0.8F}) {
+    sun.direction = glm::normalize(Vec3(shift, -1.0F, 0.0F));
+    const std::vector<float> lit = column(visibility, sun);
+    for (int i = 0; i < kPoints; ++i) {
+      const float x = surface_.position[static_cast<std::size_t>(i)].x - shift;
+      if (std::abs(std::abs(x) - 0.5F) < 0.015F) continue;
+      EXPECT_EQ(lit[static_cast<std::size_t>(i)], std::abs(x) < 0.5F ? 0.0F : 1.0F) << "at x = " << x;
+    }
+  }
+}
+
 TEST_F(SampleVisibilityTest, AWideFilterBlursTheEdgeAndKeepsItsPlace) {
   SampleVisibility visibility(*rays_, surface_);
   Softness softness;

@@ -11,6 +11,8 @@
 namespace luminist {
 namespace {
 
+const SceneFrame kScene{Vec3(1, 2, 3), 4.0F};
+
 /// The light types of the source tree, and a light of one of them.
 class ShadowLights : public ::testing::Test {
  protected:
@@ -30,7 +32,7 @@ class ShadowLights : public ::testing::Test {
 TEST_F(ShadowLights, SpotCoversItsShapeWhicheverWayItIsTurned) {
   Light light = make("cinematic");
   set(light, "shape", Vec3(0.5F, 0.3F, 0.1F));
-  const ShadowLight shadow = shadow_light(light, *types_);
+  const ShadowLight shadow = shadow_light(light, *types_, kScene);
   EXPECT_EQ(shadow.kind, ShadowKind::kSpot);
   EXPECT_GE(shadow.extent, std::pow(std::pow(0.6F, 4.0F) + std::pow(0.4F, 4.0F), 0.25F));
   EXPECT_LE(shadow.extent, 1.0F);  // no more than a step of sqrt(2) above
@@ -39,25 +41,25 @@ TEST_F(ShadowLights, SpotCoversItsShapeWhicheverWayItIsTurned) {
 TEST_F(ShadowLights, SmallChangeOfShapeKeepsTheMap) {
   Light light = make("cinematic");
   set(light, "shape", Vec3(0.5F, 0.5F, 0.1F));
-  const ShadowLight before = shadow_light(light, *types_);
+  const ShadowLight before = shadow_light(light, *types_, kScene);
   set(light, "shape", Vec3(0.502F, 0.5F, 0.1F));
-  EXPECT_EQ(shadow_light(light, *types_), before);
+  EXPECT_EQ(shadow_light(light, *types_, kScene), before);
 }
 
 TEST_F(ShadowLights, ColourAndDistancesDoNotTouchShadows) {
   Light light = make("cinematic");
-  const ShadowLight before = shadow_light(light, *types_);
+  const ShadowLight before = shadow_light(light, *types_, kScene);
   set(light, "color", Vec3(3, 2, 1));
   set(light, "cutoff", Vec3(0.1F, 0.2F, 0));
   set(light, "shadow", Vec3(0.3F));
-  EXPECT_EQ(shadow_light(light, *types_), before);
+  EXPECT_EQ(shadow_light(light, *types_, kScene), before);
 }
 
 TEST_F(ShadowLights, FilterIsTwoToFourTexelsWide) {
   Light light = make("cinematic");
   for (const float softness : {0.003F, 0.008F, 0.015F, 0.02F}) {
     set(light, "size", Vec3(softness));
-    const ShadowLight shadow = shadow_light(light, *types_);
+    const ShadowLight shadow = shadow_light(light, *types_, kScene);
     EXPECT_EQ(shadow.softness, softness);
     EXPECT_GE(shadow.softness / shadow.texel(), 1.999F);
     EXPECT_LE(shadow.softness / shadow.texel(), 4.001F);
@@ -68,7 +70,7 @@ TEST_F(ShadowLights, FilterIsWidenedWhereTheLargestMapIsTooCoarse) {
   Light light = make("cinematic");
   set(light, "shape", Vec3(1.5F, 1.5F, 0.5F));
   set(light, "size", Vec3(0.001F));
-  const ShadowLight shadow = shadow_light(light, *types_);
+  const ShadowLight shadow = shadow_light(light, *types_, kScene);
   EXPECT_EQ(shadow.size_px, 2048);
   EXPECT_FLOAT_EQ(shadow.softness, 2.0F * shadow.texel());
 }
@@ -76,20 +78,20 @@ TEST_F(ShadowLights, FilterIsWidenedWhereTheLargestMapIsTooCoarse) {
 TEST_F(ShadowLights, NumbersThatMakeNoSenseLeaveEverythingLit) {
   Light light = make("cinematic");
   set(light, "position", Vec3(std::numeric_limits<float>::quiet_NaN(), 0, 0));
-  EXPECT_EQ(shadow_light(light, *types_).kind, ShadowKind::kNone);
+  EXPECT_EQ(shadow_light(light, *types_, kScene).kind, ShadowKind::kNone);
   light = make("cinematic");
   set(light, "direction", Vec3(0.0F));
-  EXPECT_EQ(shadow_light(light, *types_).kind, ShadowKind::kNone);
+  EXPECT_EQ(shadow_light(light, *types_, kScene).kind, ShadowKind::kNone);
   light = make("point");
   set(light, "position", Vec3(std::numeric_limits<float>::infinity(), 0, 0));
-  EXPECT_EQ(shadow_light(light, *types_).kind, ShadowKind::kNone);
+  EXPECT_EQ(shadow_light(light, *types_, kScene).kind, ShadowKind::kNone);
 }
 
 TEST_F(ShadowLights, ShapesOutsideTheirRangeStayFinite) {
   Light light = make("cinematic");
   for (const float size : {-3.0F, 0.0F, 1e30F, std::numeric_limits<float>::quiet_NaN()}) {
     set(light, "shape", Vec3(size));
-    const ShadowLight shadow = shadow_light(light, *types_);
+    const ShadowLight shadow = shadow_light(light, *types_, kScene);
     EXPECT_GT(shadow.extent, 0.0F);
     EXPECT_LE(shadow.extent, 4.0F);
     EXPECT_GE(shadow.size_px, 256);
@@ -101,9 +103,9 @@ TEST_F(ShadowLights, AllFollowTheSharedShadowLight) {
   rig.lights = {make("cinematic"), make("point")};
   rig.lights[0].name = "key";
   rig.lights[1].name = "fill";
-  EXPECT_NE(shadow_lights(rig, *types_)[0], shadow_lights(rig, *types_)[1]);
+  EXPECT_NE(shadow_lights(rig, *types_, kScene)[0], shadow_lights(rig, *types_, kScene)[1]);
   rig.shadow_light = "key";
-  const auto shadows = shadow_lights(rig, *types_);
+  const auto shadows = shadow_lights(rig, *types_, kScene);
   EXPECT_EQ(shadows[0], shadows[1]);
   EXPECT_EQ(shadows[0].kind, ShadowKind::kSpot);
 }
@@ -149,6 +151,34 @@ TEST(VogelDisc, IsEvenAndInsideTheUnitDisc) {
   }
   EXPECT_LT(glm::length(sum / 64.0F), 0.01F);
   EXPECT_NEAR(squares / 64.0, 0.5, 1e-3);  // mean squared radius of a disc
+}
+
+TEST_F(ShadowLightTest, ASunCoversTheSceneFromItsMiddle) {
+  LUM_ASSERT_OK(Light light, make_light(*types_, "sun", "sun", SceneFrame{}));
+  light.params.set(*light.params.schema().by_role("size"), 0, 0.01);
+  const ShadowLight shadow = shadow_light(light, *types_, kScene);
+  EXPECT_EQ(shadow.kind, ShadowKind::kSun);
+  EXPECT_EQ(shadow.position, kScene.center);
+  EXPECT_FLOAT_EQ(shadow.softness, 0.04F);
+  EXPECT_GE(shadow.extent, kScene.radius);
+  EXPECT_TRUE(shadow_covers(shadow, kScene.center + 4.0F * Vec3(1, 0, 0)));
+  EXPECT_TRUE(shadow_covers(shadow, kScene.center + 40.0F * shadow.direction));
+  EXPECT_EQ(way_to_light(shadow, Vec3(9, 9, 9)), -shadow.direction);
+}
+
+TEST_F(ShadowLightTest, TapsOfASunLieAboveTheReceiversPlaneAndAsWideEverywhere) {
+  const ShadowLight sun{ShadowKind::kSun, Vec3(0), glm::normalize(Vec3(1, -1, 0)), 2.0F, 0.05F, 512};
+  const Vec3 up(0, 1, 0);
+  for (const float away : {1.0F, 50.0F}) {
+    const Vec3 receiver(away, 0, away);
+    for (int i = 0; i < 16; ++i) {
+      const Vec3 tap = shadow_tap(sun, receiver, up, vogel_disc(i, 16));
+      EXPECT_GE(tap.y, -1e-5F * away);
+      const Vec3 way = tap - receiver;
+      EXPECT_NEAR(glm::length(way - glm::dot(way, sun.direction) * sun.direction),
+                  0.05F * glm::length(vogel_disc(i, 16)), 1e-5F * away);
+    }
+  }
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ class KeyframesTest : public testing::Test {
   [[nodiscard]] int param(const char* name) const { return *rig_.lights[0].params.schema().find(name); }
   void key(const char* name, double frame, const Vec3& value, KeyInterpolation how) {
     rig_.lights[0].params.set_vec3(param(name), value);
-    set_key(rig_, "key", param(name), frame, how);
+    set_key(rig_, {"key", param(name)}, frame, how);
   }
   [[nodiscard]] Vec3 at(const char* name, double frame) {
     pose(rig_, frame);
@@ -104,7 +104,7 @@ TEST_F(KeyframesTest, RigFilesReadBackToTheSameKeys) {
   key("color", 0, Vec3(0.1F, 0.7F, 1.0F / 3.0F), KeyInterpolation::kLinear);
   key("position", 0, Vec3(1, 2, 3), KeyInterpolation::kLinear);
   key("color", 7.5, Vec3(2.0F), KeyInterpolation::kStep);
-  set_key(rig_, "", 0, 3, KeyInterpolation::kSmooth);
+  set_key(rig_, {"", 0}, 3, KeyInterpolation::kSmooth);
   LUM_ASSERT_OK(LightRig back, parse_rig(rig_to_toml(rig_), "a.toml", types_, frame_));
   EXPECT_EQ(rig_to_toml(back), rig_to_toml(rig_));
   EXPECT_EQ(key_frames(back, "*"), (std::vector<double>{0, 3, 7.5}));
@@ -123,6 +123,84 @@ TEST_F(KeyframesTest, RigFilesSayWhatIsWrongWithAKey) {
             "interpolation");
   const std::string twice = "[[key]]\nframe = 1\nlight = \"key\"\ncolor = [1, 1, 1]\n";
   EXPECT_EQ(error_of(parse(twice + twice)).field, "color");
+}
+
+TEST_F(KeyframesTest, OneNumberOfAParameterGoesItsOwnWay) {
+  rig_.lights[0].params.set_vec3(param("position"), Vec3(1, 2, 3));
+  set_key(rig_, {"key", param("position"), 1}, 0, KeyInterpolation::kLinear);
+  rig_.lights[0].params.set_vec3(param("position"), Vec3(7, 4, 3));
+  set_key(rig_, {"key", param("position"), 1}, 10, KeyInterpolation::kLinear);
+  EXPECT_EQ(at("position", 5), Vec3(7, 3, 3));
+  rig_.lights[0].params.set_vec3(param("position"), Vec3(8, 3, 9));
+  EXPECT_EQ(follow_with_keys(rig_, 5), 0);  // x and z have no keys
+  rig_.lights[0].params.set(param("position"), 1, 0.5);
+  EXPECT_EQ(follow_with_keys(rig_, 5), 1);
+  EXPECT_EQ(at("position", 5).y, 0.5F);
+}
+
+TEST_F(KeyframesTest, KeyingOneNumberLeavesTheCurveOfAllAsItWas) {
+  const Vec3 values[] = {Vec3(0, 1, 2), Vec3(3, 1, -4), Vec3(3.5F, 9, -5), Vec3(1, 0, 0)};
+  for (int i = 0; i < 4; ++i) key("position", 10.0 * i, values[i], KeyInterpolation::kSmooth);
+  std::vector<Vec3> before;
+  for (double f = -1; f < 32; f += 0.5) before.push_back(at("position", f));
+  pose(rig_, 10);
+  set_key(rig_, {"key", param("position"), 0}, 10, KeyInterpolation::kSmooth);  // where it is anyway
+  EXPECT_EQ(rig_.keys.size(), 3U);
+  std::size_t i = 0;
+  for (double f = -1; f < 32; f += 0.5) EXPECT_EQ(at("position", f), before[i++]) << f;
+  EXPECT_TRUE(remove_key(rig_, {"key", param("position"), 0}, 20));
+  EXPECT_NE(at("position", 20).x, 3.5F);
+  EXPECT_EQ(at("position", 20).y, 9.0F);
+  EXPECT_FALSE(remove_key(rig_, {"key", param("position"), 0}, 20));
+  EXPECT_TRUE(remove_key(rig_, {"key", param("position")}, 20));  // the others
+  EXPECT_EQ(key_frames(rig_, "key"), (std::vector<double>{0, 10, 30}));
+}
+
+TEST_F(KeyframesTest, AKeyOfAllIsAKeyOfEachNumberWhereTheyGoTheirOwnWay) {
+  set_key(rig_, {"key", param("color"), 2}, 0, KeyInterpolation::kStep);
+  key("color", 4, Vec3(1, 2, 3), KeyInterpolation::kLinear);
+  EXPECT_EQ(rig_.keys.size(), 3U);
+  EXPECT_EQ(at("color", 4), Vec3(1, 2, 3));
+  EXPECT_EQ(at("color", 0), Vec3(1, 2, 1));
+}
+
+TEST_F(KeyframesTest, AreMovedAndInterpolatedOtherwise) {
+  key("color", 0, Vec3(0.0F), KeyInterpolation::kStep);
+  key("color", 10, Vec3(1.0F), KeyInterpolation::kStep);
+  EXPECT_TRUE(set_interpolation(rig_, {"key", param("color")}, 0, KeyInterpolation::kLinear));
+  EXPECT_EQ(at("color", 5), Vec3(0.5F));
+  EXPECT_TRUE(move_key(rig_, {"key", param("color")}, 10, 20));
+  EXPECT_EQ(at("color", 5), Vec3(0.25F));
+  EXPECT_TRUE(move_key(rig_, {"key", param("color")}, 0, 20));  // in place of the one there
+  EXPECT_EQ(key_frames(rig_, "key"), std::vector<double>{20});
+  EXPECT_EQ(at("color", 20), Vec3(0.0F));
+  EXPECT_FALSE(move_key(rig_, {"key", param("color")}, 3, 4));
+  EXPECT_FALSE(set_interpolation(rig_, {"key", param("position")}, 0, KeyInterpolation::kStep));
+}
+
+TEST_F(KeyframesTest, NumbersWithKeysReadBackToTheSameBits) {
+  rig_.lights[0].params.set_vec3(param("position"), Vec3(1.0F / 3.0F, 0.1F, -7e-9F));
+  set_key(rig_, {"key", param("position"), 0}, 0, KeyInterpolation::kLinear);
+  set_key(rig_, {"key", param("position"), 2}, 0, KeyInterpolation::kLinear);
+  set_key(rig_, {"key", param("position"), 0}, 2.5, KeyInterpolation::kStep);
+  set_key(rig_, {"", 0, 1}, 3, KeyInterpolation::kSmooth);
+  const std::string text = rig_to_toml(rig_);
+  EXPECT_NE(text.find("\nposition.x = 0.33333334\n"), std::string::npos) << text;
+  LUM_ASSERT_OK(LightRig back, parse_rig(text, "a.toml", types_, frame_));
+  EXPECT_EQ(rig_to_toml(back), text);
+  ASSERT_EQ(back.keys.size(), 3U);
+  pose(back, 0);
+  EXPECT_EQ(back.lights[0].params.vec3(param("position")), Vec3(1.0F / 3.0F, 0.1F, -7e-9F));
+}
+
+TEST_F(KeyframesTest, RigFilesSayWhatIsWrongWithAKeyOfANumber) {
+  const std::string head = "[[key]]\nframe = 1\nlight = \"key\"\n";
+  EXPECT_EQ(error_of(parse(head + "direction.x = 1\n")).what, "a direction is keyed as a whole");
+  EXPECT_EQ(error_of(parse(head + "position.w = 1\n")).field, "w");
+  EXPECT_EQ(error_of(parse(head + "positron.x = 1\n")).field, "positron");
+  EXPECT_EQ(error_of(parse(head + "position.x = \"1\"\n")).field, "x");
+  EXPECT_EQ(error_of(parse(head + "position = [1, 2, 3]\n" + head + "position.x = 1\n")).field, "x");
+  EXPECT_EQ(error_of(parse(head + "position.x = 1\n" + head + "position = [1, 2, 3]\n")).field, "position");
 }
 
 TEST_F(KeyframesTest, GoWithTheirLight) {

@@ -88,21 +88,16 @@ TEST_F(PunctualTest, ARangeBecomesTheFarCutoffAndNoRangeReachesThroughTheScene) 
   EXPECT_FLOAT_EQ(light.params.vec2(cutoff).x + light.params.vec2(cutoff).y, 10.0F);
 }
 
-TEST_F(PunctualTest, ASunStandsTwoDiametersAwayAndCoversTheScene) {
+TEST_F(PunctualTest, ASunShinesItsWayAsStrongEverywhere) {
   PunctualLight sun;
   sun.kind = PunctualLight::Kind::kSun;
   sun.direction = glm::normalize(Vec3(1.0F, -2.0F, 0.5F));
   sun.intensity = 3.0F;
+  sun.color = Vec3(1.0F, 0.5F, 0.25F);
   const Light light = converted({sun})[0];
-  EXPECT_EQ(light.type, "cinematic");
-  const Vec3 position = vec3(light, "position");
-  EXPECT_NEAR(glm::distance(position, frame_.center), 8.0F, 1e-5F);  // float rounding
-  EXPECT_NEAR(glm::dot(glm::normalize(frame_.center - position), sun.direction), 1.0F, 1e-6F);
-  EXPECT_EQ(number(light, "falloff_exponent"), 0.0F);
-  EXPECT_FLOAT_EQ(radiance(light, 8.0F), 3.0F / static_cast<float>(kPi));
-  // A ray that touches the scene's sphere leaves the light under asin(r / d).
-  EXPECT_NEAR(vec3(light, "barn").x, std::tan(std::asin(2.0F / 8.0F)), 1e-6F);
-  EXPECT_GT(light.params.vec2(*light.params.schema().find("far_cutoff")).x, 10.0F);  // beyond the scene
+  EXPECT_EQ(light.type, "sun");
+  EXPECT_EQ(vec3(light, "direction"), sun.direction);
+  EXPECT_FLOAT_EQ(vec3(light, "color").y, 1.5F / static_cast<float>(kPi));
 }
 
 TEST_F(PunctualTest, NamesAreUniqueAndUsableInPaths) {
@@ -126,6 +121,36 @@ TEST_F(PunctualTest, AHalfSphereAndAZeroDirectionMakeAUsableLight) {
   const Light light = converted({spot})[0];
   EXPECT_TRUE(is_finite(vec3(light, "barn")));
   EXPECT_FLOAT_EQ(glm::length(vec3(light, "direction")), 1.0F);
+}
+
+TEST_F(PunctualTest, LightsOfTheSceneMoveWithItUnlessTheyWereMovedOrKeyed) {
+  PunctualLight torch;
+  torch.name = "torch";
+  torch.kind = PunctualLight::Kind::kSpot;
+  torch.position = Vec3(1.0F, 2.0F, 3.0F);
+  PunctualLight sun;
+  sun.name = "sun";
+  sun.kind = PunctualLight::Kind::kSun;
+  const std::vector<Light> before = converted({torch, sun});
+  torch.position = Vec3(4.0F, 5.0F, 6.0F);
+  sun.direction = Vec3(1.0F, 0.0F, 0.0F);
+  const std::vector<Light> after = converted({torch, sun});
+  LightRig rig = empty_rig(types_, frame_);
+  rig.lights = before;
+  rig.lights[0].params.set_vec3(*rig.lights[0].params.schema().by_role("color"), Vec3(7.0F));  // no matter of place
+  LightRig keyed = rig;
+  LightRig moved = rig;
+  EXPECT_TRUE(follow_scene(rig, before, after));
+  EXPECT_EQ(vec3(rig.lights[0], "position"), torch.position);
+  EXPECT_EQ(vec3(rig.lights[0], "color"), Vec3(7.0F));
+  EXPECT_EQ(vec3(rig.lights[1], "direction"), sun.direction);
+  EXPECT_FALSE(follow_scene(rig, before, after));  // it is there
+  set_key(keyed, {"torch", *keyed.lights[0].params.schema().find("position"), 1}, 3, KeyInterpolation::kStep);
+  follow_scene(keyed, before, after);
+  EXPECT_EQ(vec3(keyed.lights[0], "position"), Vec3(1.0F, 2.0F, 3.0F));
+  moved.lights[0].params.set(*moved.lights[0].params.schema().find("position"), 0, 1.5);
+  follow_scene(moved, before, after);
+  EXPECT_EQ(vec3(moved.lights[0], "position"), Vec3(1.5F, 2.0F, 3.0F));
 }
 
 }  // namespace

@@ -167,7 +167,7 @@ TEST(GltfAnimation, SaysWhichKeysAreWrong) {
   EXPECT_NE(error_of(unknown.load()).message().find("WOBBLE"), std::string::npos);
 }
 
-TEST(GltfAnimation, LeavesOutMorphsWithAWarning) {
+TEST(GltfAnimation, LeavesOutWeightsOfNoMorphsWithAWarning) {
   SceneFile file("a.gltf",
                  with_animation(R"({"input":1,"output":0})", R"({"sampler":0,"target":{"node":0,"path":"weights"}})"));
   LUM_ASSERT_OK(const Scene scene, file.load());

@@ -1,6 +1,7 @@
 // Frames: a session that moves through time, and sequences of pictures.
 #include <fmt/format.h>
 
+#include "base/process.h"
 #include "image_io/image_io.h"
 #include "studio/sequence.h"
 #include "studio/session_fixture.h"
@@ -156,6 +157,39 @@ TEST_F(FramesTest, APngTellsWhatItWasMadeFromToo) {
   EXPECT_EQ(rendered(all).size(), 3U);
   EXPECT_TRUE(std::filesystem::exists(folder_.file("f.0012.png")));
   EXPECT_EQ(rendered(all), std::vector<int>());
+}
+
+TEST(Film, ShowsEveryFrameOnceInItsColours) {
+  const char* ffmpeg = "/usr/bin/ffmpeg";
+  if (!std::filesystem::exists(ffmpeg)) GTEST_SKIP() << "ffmpeg is not installed (tools/packages test)";
+  const TemporaryFolder folder;
+  std::vector<std::string> frames;
+  for (int i = 0; i < 3; ++i) {
+    Image picture(33, 25, 3);  // odd: a film has even sides
+    for (std::size_t pixel = 0; pixel < picture.pixels(); ++pixel)
+      picture.data[3 * pixel + static_cast<std::size_t>(i)] = 1.0F;
+    frames.push_back(folder.file(fmt::format("f.{}.exr", i)));
+    LUM_EXPECT_OK(write_image(frames.back(), picture));
+  }
+  LUM_EXPECT_OK(make_film(frames, 24.0, folder.file("film.mp4")));
+  std::string bytes;
+  ProcessRequest request;
+  request.arguments = {ffmpeg, "-loglevel", "error",    "-i",    folder.file("film.mp4"),
+                       "-f",   "rawvideo",  "-pix_fmt", "rgb24", "-"};
+  request.on_output = [&](std::string_view piece) { bytes += piece; };
+  LUM_ASSERT_OK(const ProcessEnd end, run_process(request));
+  EXPECT_TRUE(end.ok()) << end.description();
+  constexpr std::size_t kFrame = 32 * 24 * 3;
+  ASSERT_EQ(bytes.size(), 3 * kFrame);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto* middle = reinterpret_cast<const unsigned char*>(bytes.data()) + i * kFrame + kFrame / 2 + 48;
+    for (std::size_t c = 0; c < 3; ++c) {
+      EXPECT_EQ(middle[c] > 128, c == i) << "frame " << i;  // full colours survive 4:2:0 where there are no edges
+    }
+  }
+  std::filesystem::remove(frames[1]);
+  EXPECT_FALSE(make_film(frames, 24.0, folder.file("other.mp4")));
+  EXPECT_FALSE(std::filesystem::exists(folder.file("other.mp4")));
 }
 
 TEST(FrameRange, IsWrittenAsFirstLastAndStep) {

@@ -68,7 +68,7 @@ class RasterAgreement : public ::testing::Test {
       LUM_ASSERT_OK(Light light, make_light(*types_, type, "key", paths_->frame()));
       state->rig.lights = {light};
     }
-    set("lights/key/position=1.2,2.5,1.4");
+    if (type != "sun") set("lights/key/position=1.2,2.5,1.4");
   }
   /// What both engines say at the pixels' centres, without shadows; the path tracer's light is that of its formula.
   void compare_formulas(float tolerance) {
@@ -137,6 +137,17 @@ TEST_F(RasterAgreement, ThePointLightHasOneFormula) {
   set("lights/key/falloff_exponent=1.3");
   set("lights/key/shadow_density=0");
   compare_formulas(2e-5F);
+}
+
+TEST_F(RasterAgreement, TheSunHasOneFormulaAndOneShadow) {
+  add_light("sun");
+  set("lights/key/direction=-0.4,-0.8,-0.45");
+  set("lights/key/color=1,0.7,0.3");
+  set("lights/key/shadow_density=0");
+  compare_formulas(1e-3F);  // the path tracer's stands 2000 radii away
+  set("lights/key/shadow_density=1");
+  set("lights/key/shadow_softness=0.001");
+  compare_pictures(0.01, 0.03);  // as below
 }
 
 TEST_F(RasterAgreement, PicturesOfHardShadowsAreTheSame) {

@@ -1,0 +1,128 @@
+// One rig for several frames, in the panel of shots.
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "app/icons.h"
+#include "app/shots_panel.h"
+#include "params/param_text.h"
+#include "studio/shots.h"
+
+namespace luminist {
+namespace {
+
+/// "2 met, 1 missed", and what of each as a tooltip.
+std::pair<std::string, std::string> verdict_words(const Verdict& verdict) {
+  std::map<std::string, int> counts;
+  std::string all;
+  for (const StrokeVerdict& stroke : verdict.strokes) {
+    ++counts[to_string(stroke.outcome)];
+    all += fmt::format("{}{}: {}{}{}", all.empty() ? "" : "\n", stroke.label, to_string(stroke.outcome),
+                       stroke.text.empty() ? "" : "; ", stroke.text);
+  }
+  std::string words;
+  for (const auto& [word, count] : counts) words += fmt::format("{}{} {}", words.empty() ? "" : ", ", count, word);
+  return {words, all};
+}
+
+void solve(Desk& desk, const std::vector<FrameChoice>& choices, bool judge) {
+  StudioThread* studio = desk.studio;
+  studio->act("solve frames together", [studio, choices, judge](Session& session) -> Result<void> {
+    if (session.has_proposal()) LUM_TRY_VOID(session.adopt());
+    return Shots(session).solve(choices, {}, judge, [studio, count = choices.size()](const SolveReport& report) {
+      const bool solving = report.termination == Termination::kRunning;
+      return studio->progress(solving ? fmt::format("{} frames together: error {:.4f}, was {:.4f}; Esc stops", count,
+                                                    report.epsilon, report.epsilon_start)
+                                      : "judging the strokes of each frame; Esc stops");
+    });
+  });
+}
+
+}  // namespace
+
+void ShotsPanel::choice_row(Desk& desk, const FrameFacts& facts, const PaintedFrame& painted) {
+  const Theme& theme = desk.theme;
+  Choice& choice = choices_[painted.frame];
+  ImGui::PushID(static_cast<int>(std::lround(painted.frame * 100.0)));
+  const std::string name = fmt::format("frame {}", number_text(painted.frame));
+  ImGui::Checkbox("##on", &choice.on);
+  tip(theme, "Whether the paint of this frame takes part.");
+  ImGui::SameLine(0.0F, theme.px(6.0F));
+  ImGui::PushStyleColor(ImGuiCol_Text, painted.frame == facts.frame ? paint_colors::kAccent : paint_colors::kText);
+  if (ImGui::Button(name.c_str(), {theme.px(76.0F), 0.0F})) desk.studio->go_to(painted.frame);
+  ImGui::PopStyleColor();
+  tip(theme, fmt::format("{} stroke{}. Click to go there.", painted.strokes, painted.strokes == 1 ? "" : "s").c_str());
+  ImGui::SameLine(0.0F, theme.px(6.0F));
+  ImGui::SetNextItemWidth(theme.px(104.0F));
+  ImGui::SliderFloat("##weight", &choice.weight, 0.1F, 10.0F, "weight %.2f",
+                     ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
+  tip(theme, "How much the error of this frame counts among the others'. Ctrl+click to type a number.");
+  const auto solved = std::find_if(facts.solved.begin(), facts.solved.end(),
+                                   [&](const SolvedFrame& each) { return each.frame == painted.frame; });
+  if (solved != facts.solved.end()) {
+    ImGui::SameLine(0.0F, theme.px(10.0F));
+    ImGui::AlignTextToFramePadding();
+    const ImU32 color = solved->found <= solved->start ? paint_colors::kGood : paint_colors::kWarn;
+    ImGui::PushStyleColor(ImGuiCol_Text, color);
+    ImGui::Text("%.4f", solved->found);
+    ImGui::PopStyleColor();
+    ImGui::SameLine(0.0F, theme.px(4.0F));
+    ImGui::TextDisabled("was %.4f", solved->start);
+    tip(theme, "The error of this frame under the lights that were found, and before.");
+    if (solved->verdict) {
+      const auto [words, all] = verdict_words(*solved->verdict);
+      ImGui::SameLine(0.0F, theme.px(10.0F));
+      ImGui::TextUnformatted(words.c_str());
+      tip(theme, all.c_str());
+    }
+  }
+  ImGui::PopID();
+}
+
+void ShotsPanel::together(Desk& desk, const FrameFacts& facts) {
+  want(desk, 0);
+  const Theme& theme = desk.theme;
+  if (facts.painted.size() < 2) {
+    ImGui::PushStyleColor(ImGuiCol_Text, paint_colors::kDim);
+    ImGui::TextWrapped("%s",
+                       facts.painted.empty()
+                           ? "Paint on several frames; then one rig can be found for all of them."
+                           : "One frame is painted. Go to another one and paint there, too; then one rig can be found "
+                             "for both.");
+    ImGui::PopStyleColor();
+    return;
+  }
+  std::vector<FrameChoice> chosen;
+  const float bottom = ImGui::GetFrameHeightWithSpacing() + theme.px(4.0F);
+  ImGui::BeginChild("frames", {0.0F, ImGui::GetContentRegionAvail().y - bottom});
+  for (const PaintedFrame& painted : facts.painted) {
+    choice_row(desk, facts, painted);
+    const Choice& choice = choices_[painted.frame];
+    if (choice.on) chosen.push_back({painted.frame, static_cast<double>(choice.weight)});
+  }
+  ImGui::EndChild();
+  const bool keyed = !desk.now->shown->rig.keys.empty();
+  const bool ready = chosen.size() >= 2 && !keyed && desk.now->free_dofs > 0;
+  if (!ready) ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 0.4F * ImGui::GetStyle().Alpha);
+  const std::string label = fmt::format("Solve {} frames together", chosen.size());
+  const bool clicked = ImGui::Button(label.c_str());
+  if (!ready) ImGui::PopStyleVar();
+  tip(theme, keyed                      ? "Lights with keys differ from frame to frame: remove the keys first."
+             : desk.now->free_dofs == 0 ? "Everything is locked: free what may change."
+             : chosen.size() < 2        ? "Choose two frames at least."
+                                        : "Finds one rig for what is painted on the chosen frames: the weighted mean "
+                                          "of their errors. Accepting it answers the paint of all. Takes a while.");
+  if (clicked && ready) solve(desk, chosen, judge_);
+  ImGui::SameLine();
+  ImGui::Checkbox("judge the strokes", &judge_);
+  tip(theme, "Afterwards says of every stroke on every frame whether the lights make it. Takes seconds a frame.");
+  if (!facts.solved.empty() && desk.now->report) {
+    ImGui::SameLine();
+    ImGui::AlignTextToFramePadding();
+    ImGui::Text("together %.4f, was %.4f", desk.now->report->epsilon, desk.now->report->epsilon_start);
+    tip(theme, "The weighted mean of the errors, and what it was. Accept or revert it as any solve.");
+  }
+}
+
+}  // namespace luminist

@@ -1,0 +1,32 @@
+#pragma once
+// studio/frame_facts.h -- what a window shows of a shot's frames.
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "base/image.h"
+#include "project/frame_paint.h"
+#include "studio/solved.h"
+
+namespace luminist {
+
+/// A small picture of a frame.
+struct FramePicture {
+  double frame = 0.0;
+  std::shared_ptr<const Image> picture;
+  bool old = false;  ///< under other lights than those shown; it will be made again
+};
+
+struct FrameFacts {
+  double frame = 0.0;  ///< that is looked at
+  double fps = 24.0;
+  int first = 0;  ///< range of what moves, of the keys and the paint; two seconds at least
+  int last = 0;
+  bool moving = false;              ///< something of the scene does
+  std::optional<double> previewed;  ///< the picture shown is a quick one of this frame
+  std::vector<PaintedFrame> painted;
+  std::vector<FramePicture> strip;  ///< ascending
+  std::vector<SolvedFrame> solved;  ///< of a proposal for several; without their paint
+};
+
+}  // namespace luminist

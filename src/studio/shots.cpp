@@ -1,0 +1,105 @@
+#include "studio/shots.h"
+
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "params/param_text.h"
+
+namespace luminist {
+namespace {
+
+using Json = nlohmann::json;
+
+/// What a pattern names that can have keys.
+Result<std::vector<KeyPlace>> keyed_by(const ParamState& state, const std::string& pattern) {
+  LUM_TRY(const std::vector<ParamPlace> places, params_matching(state, pattern));
+  std::vector<KeyPlace> keyed;
+  for (const ParamPlace& place : places) {
+    if (place.block > state.rig.lights.size()) continue;
+    keyed.push_back({place.block == 0 ? "" : state.rig.lights[place.block - 1].name, place.param, place.component});
+  }
+  if (!keyed.empty()) return keyed;
+  return Error{ErrorKind::kUsage, fmt::format("\"{}\" is of the style, which has no keys", pattern), "", pattern,
+               "name a light, as lights/key/color"};
+}
+
+const std::string& word_of(KeyInterpolation interpolation) {
+  return key_interpolation_words()[static_cast<std::size_t>(interpolation)];
+}
+
+Result<void> check_frame(double frame) {
+  if (std::isfinite(frame)) return {};
+  return Error{ErrorKind::kUsage, "a frame is a number", "", "frame", ""};
+}
+
+}  // namespace
+
+Result<int> Shots::set_keys(const std::string& pattern, KeyInterpolation interpolation) {
+  LUM_TRY(const std::vector<KeyPlace> keyed, keyed_by(session_->state_, pattern));
+  const double frame = session_->shot_.frame;
+  ParamState next = session_->state_;
+  for (const KeyPlace& each : keyed) set_key(next.rig, each, frame, interpolation);
+  const Json action = {{"do", "key"}, {"pattern", pattern}, {"interpolation", word_of(interpolation)}};
+  LUM_TRY_VOID(session_->commit_state(fmt::format("Key {} at frame {}", pattern, number_text(frame)), action.dump(),
+                                      std::move(next)));
+  return static_cast<int>(keyed.size());
+}
+
+template <class Edit>
+Result<int> Shots::edit_keys(const std::string& pattern, double frame, const std::string& label,
+                             const std::string& action, const Edit& edit) {
+  LUM_TRY_VOID(check_frame(frame));
+  LUM_TRY(const std::vector<KeyPlace> keyed, keyed_by(session_->state_, pattern));
+  ParamState next = session_->state_;
+  int count = 0;
+  for (const KeyPlace& each : keyed) count += edit(next.rig, each) ? 1 : 0;
+  if (count == 0) {
+    return Error{ErrorKind::kUsage, fmt::format("\"{}\" has no key at frame {}", pattern, number_text(frame)), "",
+                 pattern, "name a frame with a key"};
+  }
+  pose(next.rig, session_->shot_.frame);
+  LUM_TRY_VOID(session_->commit_state(label, action, std::move(next)));
+  return count;
+}
+
+Result<int> Shots::remove_keys(const std::string& pattern, double frame) {
+  return edit_keys(pattern, frame, fmt::format("Remove keys of {} at frame {}", pattern, number_text(frame)),
+                   Json{{"do", "remove_key"}, {"pattern", pattern}, {"frame", frame}}.dump(),
+                   [&](LightRig& rig, const KeyPlace& place) { return remove_key(rig, place, frame); });
+}
+
+Result<int> Shots::move_keys(const std::string& pattern, double from, double to) {
+  LUM_TRY_VOID(check_frame(to));
+  return edit_keys(pattern, from,
+                   fmt::format("Move keys of {} from frame {} to {}", pattern, number_text(from), number_text(to)),
+                   Json{{"do", "move_key"}, {"pattern", pattern}, {"from", from}, {"to", to}}.dump(),
+                   [&](LightRig& rig, const KeyPlace& place) { return move_key(rig, place, from, to); });
+}
+
+Result<int> Shots::interpolate_keys(const std::string& pattern, double frame, KeyInterpolation interpolation) {
+  const std::string& word = word_of(interpolation);
+  const Json action = {{"do", "key_interpolation"}, {"pattern", pattern}, {"frame", frame}, {"interpolation", word}};
+  return edit_keys(
+      pattern, frame, fmt::format("Keys of {} at frame {} go on {}", pattern, number_text(frame), word), action.dump(),
+      [&](LightRig& rig, const KeyPlace& place) { return set_interpolation(rig, place, frame, interpolation); });
+}
+
+std::vector<PaintedFrame> Shots::painted() const {
+  return painted_frames(session_->project_.document(), session_->shot_.frame);
+}
+
+Result<void> Shots::clear_paint(double frame) {
+  if (frame == session_->shot_.frame) return session_->clear_paint();
+  Document document = session_->project_.document();
+  if (!clear_frame_paint(document, frame)) {
+    return Error{ErrorKind::kNothingToDo, fmt::format("nothing is painted at frame {}", number_text(frame)), "",
+                 "frame", ""};
+  }
+  return session_->commit(fmt::format("Clear the paint of frame {}", number_text(frame)),
+                          Json{{"do", "clear_paint"}, {"frame", frame}}.dump(), document);
+}
+
+}  // namespace luminist

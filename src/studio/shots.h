@@ -1,0 +1,55 @@
+#pragma once
+// studio/shots.h -- a session over its frames: keys anywhere in time, the paint of each frame, one rig for several.
+#include <span>
+#include <string>
+#include <vector>
+
+#include "project/frame_paint.h"
+#include "studio/session.h"
+
+namespace luminist {
+
+/// A frame that takes part in a solve of several, and how much its error counts among the others'.
+struct FrameChoice {
+  double frame = 0.0;
+  double weight = 1.0;  ///< > 0
+};
+
+/// The calls of a session that look beyond its frame. Each is one gesture, as Session's are. Patterns are those of
+/// params_matching(): lights, parameters, or numbers of them as "lights/key/position.x"; styles have no keys.
+/// thread the device's.
+class Shots {
+ public:
+  /// The session outlives it.
+  explicit Shots(Session& session) : session_(&session) {}
+
+  /// Keys at the session's frame, as Session::set_keys().
+  Result<int> set_keys(const std::string& pattern, KeyInterpolation interpolation);
+  /// Keys of another frame. They return how many there were. errors kUsage if the pattern has no key there, or the
+  /// frame is not finite. What the session looks at goes where its keys say then.
+  Result<int> remove_keys(const std::string& pattern, double frame);
+  Result<int> move_keys(const std::string& pattern, double from, double to);
+  Result<int> interpolate_keys(const std::string& pattern, double frame, KeyInterpolation interpolation);
+
+  [[nodiscard]] std::vector<PaintedFrame> painted() const;
+  /// errors kNothingToDo: nothing is painted there.
+  Result<void> clear_paint(double frame);
+
+  /// One rig for the paint of several frames: the weighted mean of their errors. What it finds is the session's
+  /// proposal, with what became of each frame in Solved::pictures; accepting it answers the paint of all of them. The
+  /// style and the locks are the session's. judge: each frame's strokes, unless watch stopped the solve.
+  /// errors kUsage: fewer than two frames, one twice, a weight that is not above zero, lights with keys (they differ
+  /// from frame to frame); kNothingToDo: nothing painted in one of them; SharedSolve's.
+  /// cost a stage for each frame besides the session's own where something moves; the solve.
+  Result<void> solve(std::span<const FrameChoice> frames, const SolveOptions& options, bool judge,
+                     const Session::SolveWatch& watch);
+
+ private:
+  /// Changes keys of what a pattern names, tells how many there were.
+  template <class Edit>
+  Result<int> edit_keys(const std::string& pattern, double frame, const std::string& label, const std::string& action,
+                        const Edit& edit);
+  Session* session_;
+};
+
+}  // namespace luminist

@@ -1,0 +1,136 @@
+// One rig for several frames (studio/shots.h).
+#include <algorithm>
+#include <chrono>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "params/param_text.h"
+#include "project/paint_document.h"
+#include "studio/shared_solve.h"
+#include "studio/shots.h"
+#include "verdict/judge.h"
+
+namespace luminist {
+namespace {
+
+/// What a frame looks like and what is painted on it, as if it were looked at.
+struct FrameView {
+  FrameChoice choice;
+  std::unique_ptr<Stage> own;  ///< null: the session's stage shows it
+  Renderer* renderer = nullptr;
+  Canvas canvas;
+};
+
+Error wrong(std::string what, std::string hint) {
+  return {ErrorKind::kUsage, std::move(what), "", "frames", std::move(hint)};
+}
+
+Result<void> check_choices(std::span<const FrameChoice> frames, const LightRig& rig,
+                           const std::vector<PaintedFrame>& painted) {
+  if (frames.size() < 2) return wrong("a rig is shared by two frames at least", "solve this frame by itself");
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    const std::string name = number_text(frames[i].frame);
+    if (!(frames[i].weight > 0.0)) return wrong("a weight is above zero", "leave frame " + name + " out");
+    for (std::size_t k = 0; k < i; ++k) {
+      if (frames[k].frame == frames[i].frame) return wrong(fmt::format("frame {} is named twice", name), "");
+    }
+    if (std::ranges::none_of(painted, [&](const PaintedFrame& each) { return each.frame == frames[i].frame; })) {
+      return Error{ErrorKind::kNothingToDo, fmt::format("nothing is painted at frame {}", name), "", "frames",
+                   "paint the light that you want to see there"};
+    }
+  }
+  if (rig.keys.empty()) return {};
+  return wrong("lights with keys differ from frame to frame",
+               "solve one frame after the other, or remove the keys of the rig");
+}
+
+Result<FrameView> open_view(SessionData& session, const FrameChoice& choice) {
+  std::unique_ptr<Stage> own;
+  if (session.stage_->moving && choice.frame != session.shot_.frame) {
+    Shot shot = session.shot_;
+    shot.frame = choice.frame;
+    Diagnostics told_already;
+    LUM_TRY(own,
+            open_stage(*session.device_, session.roots_, shot, session.folder_, told_already, session.stage_->moving));
+  }
+  Renderer& renderer = own ? *own->renderer : *session.stage_->renderer;
+  LUM_TRY(Image picture, renderer.render(session.state_));
+  Canvas canvas(renderer.surface(), std::move(picture), {});
+  const Document document = at_frame(session.project_.document(), session.shot_.frame, choice.frame);
+  LUM_TRY(CanvasState painted, read_paint(document, session.project_.tiles(), canvas.state()));
+  canvas.restore(std::move(painted));
+  return FrameView{choice, std::move(own), &renderer, std::move(canvas)};
+}
+
+/// What became of one frame; its paint as it is when the lights are accepted.
+Result<SolvedFrame> outcome(SharedSolve& solve, std::size_t k, FrameView& view, TileStore& tiles, bool judged) {
+  SolvedFrame done{view.choice.frame, view.choice.weight, 0.0, 0.0, std::nullopt, {}};
+  LUM_TRY(const SharedSolve::Errors errors, solve.errors(k));
+  done.start = errors.start;
+  done.found = errors.found;
+  const ParamState state = solve.state(k);
+  LUM_TRY(const Image picture, view.renderer->render(state));
+  if (judged) {
+    LUM_TRY(done.verdict, judge(*view.renderer, state, view.canvas.target(), picture));
+  }
+  Canvas rebased = view.canvas;
+  rebased.rebase(picture);
+  LUM_TRY_VOID(write_paint(rebased.state(), done.accepted, tiles));
+  return done;
+}
+
+/// Dark lights begin where the paint of the first frame that takes part says.
+Result<LightRig> starting_rig(const LightRig& rig, const FrameView& view, const SceneFrame& frame) {
+  LightRig start = rig;
+  const std::vector<std::string> waiting = waiting_lights(start);
+  if (!waiting.empty()) {
+    LUM_TRY_VOID(place_lights(waiting, view.renderer->surface(), view.canvas.target(), frame, start));
+  }
+  return start;
+}
+
+}  // namespace
+
+Result<void> Shots::solve(std::span<const FrameChoice> frames, const SolveOptions& options, bool judged,
+                          const Session::SolveWatch& watch) {
+  Session& session = *session_;
+  LUM_TRY_VOID(check_choices(frames, session.state_.rig, painted()));
+  std::vector<FrameView> own;
+  std::vector<View> views;
+  for (const FrameChoice& choice : frames) {
+    LUM_TRY(FrameView view, open_view(session, choice));
+    LightRig there = session.state_.rig;
+    LUM_TRY(const bool moves,
+            pose_lights(there, *session.stage_, view.own ? *view.own : *session.stage_, choice.frame));
+    if (moves) {
+      return wrong("lights of the scene that move differ from frame to frame",
+                   "move them by hand, so that they stay, or solve one frame after the other");
+    }
+    own.push_back(std::move(view));
+  }
+  for (const FrameView& view : own) {
+    views.push_back({view.renderer, view.canvas.target(), session.state_.style, view.choice.weight});
+  }
+  LUM_TRY(const LightRig rig, starting_rig(session.state_.rig, own.front(), session.stage_->frame));
+  LUM_TRY(SharedSolve solve, SharedSolve::create(std::move(views), rig, options));
+  bool stopped = false;
+  for (bool more = true; more && !stopped;) {
+    LUM_TRY(more, solve.run_for(std::chrono::milliseconds(50)));
+    stopped = more && watch && !watch(solve.report());
+  }
+  if (stopped) solve.stop();
+  LUM_TRY(const Target* target, session.target());
+  Solved solved{options, solve.report(), *target, fmt::format("Accept a solve of {} frames", frames.size())};
+  for (std::size_t k = 0; k < own.size(); ++k) {
+    const bool may_judge = judged && !stopped && session.stage_->judges();
+    LUM_TRY(SolvedFrame done, outcome(solve, k, own[k], session.project_.tiles(), may_judge));
+    if (done.frame == session.shot_.frame) solved.verdict = done.verdict;
+    solved.frames.push_back(std::move(done));
+    stopped = stopped || (watch && !watch(solve.report()));
+  }
+  session.propose(solve.state(0), std::move(solved));
+  return {};
+}
+
+}  // namespace luminist

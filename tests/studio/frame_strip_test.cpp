@@ -1,0 +1,155 @@
+// Small pictures of frames, beside a session and by its thread.
+#include "studio/frame_strip.h"
+
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <thread>
+
+#include "studio/session_fixture.h"
+#include "studio/studio_thread.h"
+
+namespace luminist {
+namespace {
+
+class FrameStripTest : public SessionTest {
+ protected:
+  void SetUp() override {
+    SessionTest::SetUp();
+    LUM_ASSERT_OK(Scene scene, load_scene(folder_.file("ball.obj"), {}, diagnostics_));
+    scene.animation.nodes.push_back({.name = "lift"});
+    Track rise;
+    rise.times = {0.0F, 1.0F};
+    rise.values = {Vec4(0.0F), Vec4(0.0F, 2.0F, 0.0F, 0.0F)};
+    scene.animation.tracks.push_back(std::move(rise));
+    scene.objects[0].mount.node = 0;
+    hang(scene);
+    LUM_EXPECT_OK(save_scene(scene, folder_.file("rising.glb")));
+    moving_ = shot();
+    moving_.scene = folder_.file("rising.glb");
+    auto session = Session::open(*device_, roots_, moving_, folder_.path(), diagnostics_);
+    ASSERT_TRUE(session) << session.error().message();
+    session_ = std::move(*session);
+    NewLight plain;
+    plain.from_paint = false;
+    LUM_ASSERT_OK([[maybe_unused]] const std::string name, session_->add_light(plain));
+    strip_ = std::make_unique<FrameStrip>(*device_, roots_);
+  }
+  void TearDown() override { strip_.reset(); }
+  int make_all() {
+    int made = 0;
+    for (bool more = true; more && made < 100;) {
+      auto step = strip_->step(*session_, session_->state());
+      EXPECT_TRUE(step) << step.error().message();
+      more = step && *step;
+      made += more ? 1 : 0;
+    }
+    return made;
+  }
+  FrameFacts facts() {
+    StudioSnapshot snapshot;
+    strip_->tell(*session_, snapshot);
+    return *snapshot.frames;
+  }
+
+  Shot moving_;
+  std::unique_ptr<FrameStrip> strip_;
+};
+
+TEST_F(FrameStripTest, MakesWhatIsWantedAroundThePresentFrameAndNothingElse) {
+  EXPECT_EQ(make_all(), 0);
+  strip_->want(3, 6);
+  EXPECT_EQ(make_all(), 3);
+  std::vector<double> frames;
+  for (const FramePicture& each : facts().strip) frames.push_back(each.frame);
+  EXPECT_EQ(frames, (std::vector<double>{0, 6, 12}));  // there is nothing before the first
+  EXPECT_NE(facts().strip[0].picture->data, facts().strip[2].picture->data);
+  const std::string before = hash();
+  LUM_EXPECT_OK(session_->go_to(12));
+  EXPECT_EQ(make_all(), 1);  // 18
+  EXPECT_NE(hash(), before);
+}
+
+TEST_F(FrameStripTest, OtherLightsMakeItsPicturesOld) {
+  strip_->want(2, 6);
+  EXPECT_EQ(make_all(), 2);
+  LUM_EXPECT_OK(session_->set({"lights/light/color=0.1,0.1,3"}));
+  LUM_ASSERT_OK(const bool made, strip_->step(*session_, session_->state()));
+  EXPECT_TRUE(made);
+  EXPECT_FALSE(facts().strip[0].old);
+  EXPECT_TRUE(facts().strip[1].old);
+  EXPECT_EQ(make_all(), 1);
+  EXPECT_FALSE(facts().strip[1].old);
+}
+
+TEST_F(FrameStripTest, APreviewIsTheFrameThatGoingThereShows) {
+  LUM_ASSERT_OK([[maybe_unused]] const int keyed, session_->set_keys("lights/light/color", KeyInterpolation::kLinear));
+  LUM_EXPECT_OK(session_->go_to(24));
+  LUM_EXPECT_OK(session_->set({"lights/light/color=0,0,2"}));
+  LUM_EXPECT_OK(session_->go_to(0));
+  const std::string before = hash();
+  LUM_EXPECT_OK(strip_->preview(*session_, session_->state(), 24));
+  EXPECT_EQ(hash(), before);
+  StudioSnapshot snapshot;
+  snapshot.unanswered = 1;
+  strip_->tell(*session_, snapshot);
+  EXPECT_EQ(snapshot.frames->previewed, 24.0);
+  EXPECT_EQ(snapshot.frames->frame, 0.0);
+  EXPECT_EQ(snapshot.unanswered, 0U);
+  LUM_EXPECT_OK(session_->go_to(24));
+  EXPECT_EQ(snapshot.picture->data, picture().data);  // 48 x 36: as small as the shot
+  EXPECT_EQ(rig_to_toml(snapshot.shown->rig), rig_to_toml(session_->state().rig));
+  strip_->leave_preview();
+  EXPECT_FALSE(facts().previewed);
+}
+
+TEST_F(FrameStripTest, TheRangeIsThatOfWhatMovesAndOfTheKeys) {
+  EXPECT_EQ(facts().last, 24);
+  EXPECT_TRUE(facts().moving);
+  LUM_EXPECT_OK(session_->go_to(40));
+  LUM_ASSERT_OK([[maybe_unused]] const int keyed, session_->set_keys("lights/light/color", KeyInterpolation::kLinear));
+  LUM_EXPECT_OK(session_->go_to(0));
+  EXPECT_EQ(facts().last, 40);
+  EXPECT_EQ(facts().first, 0);
+}
+
+TEST_F(FrameStripTest, TheThreadLeavesOvertakenPreviewsOutAndMakesTheStripWhenIdle) {
+  session_.reset();
+  StudioThread studio({roots_, folder_.path() / "unsaved", {}});
+  const auto until = [&](const auto& holds) {
+    for (int i = 0; i < 3000 && !holds(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    return holds();
+  };
+  studio.post("open", [&](Workbench& bench) { return bench.open(moving_, folder_.path()); });
+  ASSERT_TRUE(until([&] { return studio.latest()->frames != nullptr; }));
+  studio.want_strip(3, 12);
+  EXPECT_TRUE(until([&] { return studio.latest()->frames->strip.size() == 3; }));
+  bool go = false;
+  std::mutex mutex;
+  std::condition_variable wake;
+  studio.post("hold the thread", [&](Workbench&) -> Result<void> {
+    std::unique_lock lock(mutex);
+    wake.wait(lock, [&] { return go; });
+    return {};
+  });
+  ASSERT_TRUE(until([&] { return studio.activity().label == "hold the thread"; }));
+  for (int frame = 1; frame <= 20; ++frame) studio.preview_frame(frame);
+  EXPECT_EQ(studio.activity().waiting, 1U);
+  studio.go_to(5);
+  EXPECT_EQ(studio.activity().waiting, 1U);  // in place of the preview
+  {
+    const std::lock_guard lock(mutex);
+    go = true;
+  }
+  wake.notify_one();
+  EXPECT_TRUE(until([&] { return studio.latest()->frames->frame == 5.0; }));
+  EXPECT_FALSE(studio.latest()->frames->previewed);
+  studio.preview_frame(7);
+  EXPECT_TRUE(until([&] { return studio.latest()->frames->previewed == 7.0; }));
+  studio.go_to(5);
+  EXPECT_TRUE(until([&] { return !studio.latest()->frames->previewed; }));
+  EXPECT_EQ(studio.latest()->history.undo_steps, 1U);  // previews and going nowhere are no gestures
+}
+
+}  // namespace
+}  // namespace luminist
