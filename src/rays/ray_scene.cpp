@@ -83,6 +83,20 @@ class RaySceneImpl {
     return object < shadow_slack_.size() ? shadow_slack_[object] : 0.0F;
   }
 
+  [[nodiscard]] bool blocked(const Segment& segment) const {
+    const Vec3 way = segment.to - segment.from;
+    if (!is_finite(segment.from) || !is_finite(way)) return false;
+    RTCRay ray{};
+    ray.org_x = segment.from.x, ray.org_y = segment.from.y, ray.org_z = segment.from.z;
+    ray.dir_x = way.x, ray.dir_y = way.y, ray.dir_z = way.z;
+    ray.tnear = kEndMargin, ray.tfar = 1.0F - kEndMargin;
+    ray.mask = 0xFFFFFFFFU;
+    RTCIntersectContext context;
+    rtcInitIntersectContext(&context);
+    rtcOccluded1(scene_, &context, &ray);
+    return ray.tfar < 0.0F;  // Embree's mark
+  }
+
   /// Tests up to kPacket segments.
   void occluded(std::span<const Segment> segments, unsigned char* blocked) const {
     RTCRay16 rays;
@@ -123,6 +137,10 @@ Result<RayScene> RayScene::create(const Scene& scene) {
 
 float RayScene::shadow_slack(std::size_t object) const {
   return impl_->shadow_slack(object);
+}
+
+bool RayScene::blocked(const Segment& segment) const {
+  return impl_->blocked(segment);
 }
 
 void RayScene::occluded(std::span<const Segment> segments, std::span<unsigned char> blocked) const {

@@ -3,7 +3,6 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <numeric>
 #include <utility>
 
 namespace luminist {
@@ -11,7 +10,7 @@ namespace {
 
 constexpr std::size_t kPathBytes = 560;  // of a kept path in a closed room
 constexpr std::size_t kChunk = 32;       // pixels that one task gathers
-constexpr std::size_t kSetsAtOnce = 12;  // buffers of sets beside that of the picture; a solve has six
+constexpr std::size_t kSetsAtOnce = 16;  // whose emission is kept; a solve has eight
 
 std::string key_of(const PixelSet& set, const RigLight& light) {
   std::string key = picture_key(light);
@@ -24,56 +23,33 @@ std::string key_of(const PixelSet& set, const RigLight& light) {
 KeptFields::KeptFields(const PathTracer& tracer, std::size_t memory_bytes)
     : tracer_(&tracer), memory_bytes_(memory_bytes) {}
 
-void KeptFields::use(const PathOptions& options, int paths) {
-  if (options == options_ && paths == paths_) return;
+void KeptFields::use(const PathOptions& options) {
+  if (options == options_) return;
   options_ = options;
-  paths_ = paths;
-  whole_.reset();
-  of_sets_.clear();
+  paths_.reset();
   bases_.clear();
   entries_.clear();
   index_.clear();
   held_values_ = 0;
 }
 
-int KeptFields::picture_paths() const {
+int KeptFields::picture_paths(int paths) const {
   const std::size_t pixels = static_cast<std::size_t>(tracer_->width()) * static_cast<std::size_t>(tracer_->height());
-  return static_cast<int>(std::clamp<std::size_t>(memory_bytes_ / (pixels * kPathBytes), 1, std::max(1, paths_)));
+  return static_cast<int>(std::clamp<std::size_t>(memory_bytes_ / (pixels * kPathBytes), 1, std::max(1, paths)));
 }
 
-bool KeptFields::shares_whole(const PixelSet& set) const {
-  return set.picture || picture_paths() == paths_;
-}
-
-const PathBuffer& KeptFields::buffer_of(const PixelSet& set) {
-  if (shares_whole(set)) {
-    if (!whole_) {
-      std::vector<std::uint32_t> all(static_cast<std::size_t>(tracer_->width()) *
-                                     static_cast<std::size_t>(tracer_->height()));
-      std::iota(all.begin(), all.end(), 0U);
-      whole_ = std::make_unique<PathBuffer>(*tracer_, all, picture_paths(), options_);
-    }
-    return *whole_;
-  }
-  if (of_sets_.size() >= kSetsAtOnce && !of_sets_.contains(set.id)) of_sets_.clear();
-  std::unique_ptr<PathBuffer>& buffer = of_sets_[set.id];
-  if (!buffer) buffer = std::make_unique<PathBuffer>(*tracer_, set.pixels, paths_, options_);
-  return *buffer;
-}
-
-std::vector<AskedPixel> KeptFields::asked_of(const PixelSet& set) const {
-  const bool whole = shares_whole(set);
-  std::vector<AskedPixel> asked;
-  for (std::size_t i = 0; i < set.pixels.size(); ++i) {
-    asked.push_back({whole ? set.pixels[i] : static_cast<std::uint32_t>(i), set.paths[i]});
-  }
-  return asked;
+const PathBuffer& KeptFields::buffer_with(const PixelSet& set) {
+  // Samples of one solve after another pile up; what is asked now is traced again.
+  if (paths_ && paths_->held() > 2 * memory_bytes_ / kPathBytes) paths_.reset();
+  if (!paths_) paths_.emplace(*tracer_, options_);
+  paths_->want(set.pixels);
+  return *paths_;
 }
 
 void KeptFields::make(const PixelSet& set, std::span<const RigLight> lights, std::span<PixelField> fields) {
   if (lights.empty()) return;
-  const PathBuffer& buffer = buffer_of(set);
-  const std::vector<AskedPixel> asked = asked_of(set);
+  const PathBuffer& buffer = buffer_with(set);
+  const std::span<const AskedPixel> asked(set.pixels);
   const std::size_t chunks = (asked.size() + kChunk - 1) / kChunk;
   for (PixelField& field : fields) field.resize(asked.size());
   std::vector<std::size_t> rays(chunks * lights.size(), 0);
@@ -81,12 +57,13 @@ void KeptFields::make(const PixelSet& set, std::span<const RigLight> lights, std
     const std::size_t light = task / chunks;
     const std::size_t first = task % chunks * kChunk;
     const std::size_t count = std::min(kChunk, asked.size() - first);
-    rays[task] = buffer.gather(lights[light], std::span(asked).subspan(first, count),
-                               std::span(fields[light]).subspan(first, count));
+    rays[task] =
+        buffer.gather(lights[light], asked.subspan(first, count), std::span(fields[light]).subspan(first, count));
   });
   for (const std::size_t each : rays) queries_ += static_cast<double>(each);
-  const double paths = std::accumulate(set.paths.begin(), set.paths.end(), 0.0);
-  shades_ += static_cast<double>(lights.size()) * paths / buffer.paths();
+  double paths = 0.0;
+  for (const AskedPixel& each : asked) paths += each.paths;
+  shades_ += static_cast<double>(lights.size()) * paths;
 }
 
 void KeptFields::keep(std::string key, SharedField field) {
@@ -132,8 +109,7 @@ std::shared_ptr<const KeptFields::Base> KeptFields::base(const PixelSet& set) {
   auto base = std::make_shared<Base>();
   base->emitted.resize(set.pixels.size());
   base->escaped.resize(set.pixels.size());
-  const PathBuffer& buffer = buffer_of(set);
-  buffer.base(asked_of(set), base->emitted, base->escaped);
+  buffer_with(set).base(set.pixels, base->emitted, base->escaped);
   bases_[set.id] = base;
   return base;
 }

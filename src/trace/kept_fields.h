@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <list>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <unordered_map>
@@ -15,9 +16,7 @@ namespace luminist {
 /// Pixels, and how many paths each of them is asked for. Same id, same content.
 struct PixelSet {
   std::uint64_t id = 0;
-  std::vector<std::uint32_t> pixels;
-  std::vector<std::uint32_t> paths;  ///< [pixels]; at most as many as are kept
-  bool picture = false;              ///< it may be large: fewer paths a pixel are kept if memory asks for that
+  std::vector<AskedPixel> pixels;
 };
 
 /// One value per pixel of a set.
@@ -30,10 +29,11 @@ class KeptFields {
   /// memory_bytes: about what paths and fields may take together. The tracer must outlive it.
   KeptFields(const PathTracer& tracer, std::size_t memory_bytes);
 
-  /// Other options than before: everything kept is dropped. paths: kept a pixel.
-  void use(const PathOptions& options, int paths);
-  /// Paths that are kept for each pixel of a picture of so many pixels: all, or what memory allows, at least one.
-  [[nodiscard]] int picture_paths() const;
+  /// Other options than before: everything kept is dropped.
+  void use(const PathOptions& options);
+  /// How many of `paths` paths may be asked for in each pixel of a whole picture: all, or what memory allows, at least
+  /// one.
+  [[nodiscard]] int picture_paths(int paths) const;
 
   /// What each light adds to the set's pixels, its colour being 1; made in one parallel pass where it is not kept.
   std::vector<SharedField> of_lights(const PixelSet& set, std::span<const RigLight> lights);
@@ -43,7 +43,7 @@ class KeptFields {
   };
   std::shared_ptr<const Base> base(const PixelSet& set);
 
-  [[nodiscard]] double shades() const { return shades_; }    ///< lights at pixels, each with all its kept paths
+  [[nodiscard]] double shades() const { return shades_; }    ///< lights along paths
   [[nodiscard]] double queries() const { return queries_; }  ///< shadow rays
 
  private:
@@ -51,18 +51,14 @@ class KeptFields {
     std::string key;
     SharedField field;
   };
-  [[nodiscard]] const PathBuffer& buffer_of(const PixelSet& set);
-  [[nodiscard]] std::vector<AskedPixel> asked_of(const PixelSet& set) const;
-  [[nodiscard]] bool shares_whole(const PixelSet& set) const;
+  const PathBuffer& buffer_with(const PixelSet& set);
   void make(const PixelSet& set, std::span<const RigLight> lights, std::span<PixelField> fields);
   void keep(std::string key, SharedField field);
 
   const PathTracer* tracer_;
   std::size_t memory_bytes_;
   PathOptions options_;
-  int paths_ = 0;
-  std::unique_ptr<PathBuffer> whole_;  ///< of all pixels
-  std::unordered_map<std::uint64_t, std::unique_ptr<PathBuffer>> of_sets_;
+  std::optional<PathBuffer> paths_;
   std::unordered_map<std::uint64_t, std::shared_ptr<const Base>> bases_;
   std::list<Entry> entries_;  ///< the latest first
   std::unordered_map<std::string, std::list<Entry>::iterator> index_;

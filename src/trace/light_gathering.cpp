@@ -1,7 +1,5 @@
 #include "trace/light_gathering.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "base/check.h"
@@ -10,7 +8,6 @@
 namespace luminist {
 namespace {
 
-constexpr std::size_t kBatch = 64;  // shadow rays that are asked together
 constexpr float kPiF = static_cast<float>(kPi);
 
 /// Light that arrives at a vertex and is reflected towards the eye, if nothing stands between.
@@ -76,65 +73,29 @@ Vec3 seen_panel(const RigLight& light, const PathVertex& vertex) {
   return vertex.way_throughput * (weight * light.panel_radiance());
 }
 
-/// Shadow rays of several vertices, asked together and added in order.
-class Batch {
- public:
-  Batch(const RayScene& rays, const RigLight& light, std::span<Vec3> sums) : rays_(rays), light_(light), sums_(sums) {}
-
-  void add(std::size_t path, const Arrival& arrival) {
-    if (!light_.shadows) {
-      sums_[path] += arrival.radiance;
-      return;
-    }
-    segments_[filled_] = arrival.segment;
-    radiance_[filled_] = arrival.radiance;
-    path_[filled_] = path;
-    if (++filled_ == kBatch) flush();
-  }
-  void flush() {
-    rays_.occluded(std::span(segments_).first(filled_), std::span(blocked_).first(filled_));
-    for (std::size_t i = 0; i < filled_; ++i) {
-      const float lit = blocked_[i] != 0 ? 1.0F - light_.shadow_density : 1.0F;
-      sums_[path_[i]] += lit * radiance_[i];
-    }
-    asked_ += filled_;
-    filled_ = 0;
-  }
-  [[nodiscard]] std::size_t asked() const { return asked_; }
-
- private:
-  const RayScene& rays_;
-  const RigLight& light_;
-  std::span<Vec3> sums_;
-  std::array<Segment, kBatch> segments_{};
-  std::array<unsigned char, kBatch> blocked_{};
-  std::array<Vec3, kBatch> radiance_{};
-  std::array<std::size_t, kBatch> path_{};
-  std::size_t filled_ = 0;
-  std::size_t asked_ = 0;
-};
-
 }  // namespace
 
 std::size_t gather_light(const RayScene& rays, const LightPaths& paths, std::size_t first, std::size_t count,
                          const RigLight& light, std::span<Vec3> sums) {
   LUM_CHECK(first + count <= paths.size() && sums.size() == count, "one sum per path");
   const bool panel = light.kind == RigLight::Kind::kArea;
-  Batch batch(rays, light, sums);
+  std::size_t asked = 0;
   for (std::size_t path = 0; path < count; ++path) {
     for (std::uint32_t i = paths.first[first + path]; i < paths.first[first + path + 1]; ++i) {
       const PathVertex& vertex = paths.vertices[i];
       Arrival arrival;
       if (!light.lights(vertex.object)) continue;
       if (vertex.scatters &&
-          (panel ? arrives_from_panel(light, vertex, arrival) : arrives_from_point(light, vertex, arrival))) {
-        batch.add(path, arrival);
+          (panel ? arrives_from_panel(light, vertex, arrival) : arrives_from_point(light, vertex, arrival)) &&
+          arrival.radiance != Vec3(0.0F)) {
+        const bool blocked = light.shadows && rays.blocked(arrival.segment);
+        sums[path] += blocked ? (1.0F - light.shadow_density) * arrival.radiance : arrival.radiance;
+        asked += light.shadows ? 1 : 0;
       }
       if (panel) sums[path] += seen_panel(light, vertex);
     }
   }
-  batch.flush();
-  return batch.asked();
+  return asked;
 }
 
 }  // namespace luminist

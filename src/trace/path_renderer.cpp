@@ -1,6 +1,7 @@
 #include "trace/path_renderer.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -66,6 +67,12 @@ std::uint64_t list_hash(std::uint64_t hash, std::span<const std::uint32_t> list)
   return hash;
 }
 
+/// Paths that a sample is asked for: all where no rays are saved on it.
+int paths_for(const Softness& softness, int kept) {
+  constexpr int kAll = 8;  // shadow rays a sample
+  return std::clamp(kept * softness.shadow_rays / kAll, 1, kept);
+}
+
 }  // namespace
 
 int samples_for(double share, int most) {
@@ -105,9 +112,10 @@ class PathRenderer::Impl {
   Result<std::vector<RigLight>> lights_of(const Candidate& candidate, const Softness& softness) const;
   /// The state's colours of a set's pixels, without some lights.
   Result<PixelField> colors_of(const ParamState& state, std::span<const int> without, const PixelSet& set);
-  [[nodiscard]] PixelSet counted_pixels(const Target& target) const;
-  [[nodiscard]] PixelSet all_paths_of(std::span<const std::uint32_t> pixels, std::uint64_t id, int paths) const;
-  void tally();
+  [[nodiscard]] PixelSet counted_pixels(const Target& target, int kept) const;
+  /// id: of the list of pixels.
+  [[nodiscard]] PixelSet with_paths(std::span<const std::uint32_t> pixels, std::uint64_t id, int paths) const;
+  void tally(int kept);  ///< one full picture is a light along as many paths as are kept
 
   PathTracer tracer_;
   Style style_;
@@ -123,6 +131,7 @@ class PathRenderer::Impl {
   WorkCount work_;
   double picture_queries_ = 0.0;
   double picture_shades_ = 0.0;
+  double tallied_ = 0.0;
 };
 
 Result<std::vector<RigLight>> PathRenderer::Impl::lights_of(const Candidate& candidate,
@@ -138,8 +147,9 @@ Result<std::vector<RigLight>> PathRenderer::Impl::lights_of(const Candidate& can
   return lights;
 }
 
-void PathRenderer::Impl::tally() {
-  work_.shades = fields_.shades() + picture_shades_;
+void PathRenderer::Impl::tally(int kept) {
+  const double along = fields_.shades() + picture_shades_;
+  work_.shades += (along - std::exchange(tallied_, along)) / kept;
   work_.shadow_queries = fields_.queries() + picture_queries_;
 }
 
@@ -162,36 +172,37 @@ Result<Image> PathRenderer::Impl::render(const ParamState& state, bool shadows, 
   LUM_TRY(Image picture, trace_picture(tracer_, job, watch_, picture_queries_));
   double drawn = 0.0;
   for (const std::uint32_t count : samples) drawn += count;
-  picture_shades_ += drawn / settings.kept * static_cast<double>(lights.size());
+  picture_shades_ += drawn * static_cast<double>(lights.size());
   work_.pictures += 1.0;
-  tally();
+  tally(settings.kept);
   if (settings.denoise) picture = denoised(picture, surface_);
   if (importance == nullptr) last_ = Drawn{key, picture};
   return picture;
 }
 
-PixelSet PathRenderer::Impl::all_paths_of(std::span<const std::uint32_t> pixels, std::uint64_t id, int paths) const {
+PixelSet PathRenderer::Impl::with_paths(std::span<const std::uint32_t> pixels, std::uint64_t id, int paths) const {
   PixelSet set;
-  set.id = id;
-  set.pixels.assign(pixels.begin(), pixels.end());
-  set.paths.assign(pixels.size(), static_cast<std::uint32_t>(paths));
+  const auto each = static_cast<std::uint32_t>(paths);
+  set.id = list_hash(id, {&each, 1});
+  for (const std::uint32_t pixel : pixels) set.pixels.push_back({pixel, each});
   return set;
 }
 
-PixelSet PathRenderer::Impl::counted_pixels(const Target& target) const {
+PixelSet PathRenderer::Impl::counted_pixels(const Target& target, int kept) const {
   LUM_CHECK(target.importance.pixels() == surface_.pixels(), "a target has the size of the picture");
   const bool blurs = style_.metric.blur > 0.0F;  // then pixels count for their neighbours
   const float most = *std::ranges::max_element(target.importance.data);
+  const int most_paths = fields_.picture_paths(kept);
   PixelSet set;
-  set.picture = true;
+  set.id = 0xCBF29CE484222325ULL;
   for (std::size_t i = 0; i < surface_.pixels(); ++i) {
     const double share = most > 0.0F ? static_cast<double>(target.importance.data[i] / most) : 0.0;
-    const int paths = samples_for(blurs ? 1.0 : share, fields_.picture_paths());
+    const int paths = samples_for(blurs ? 1.0 : share, most_paths);
     if (paths == 0) continue;
-    set.pixels.push_back(static_cast<std::uint32_t>(i));
-    set.paths.push_back(static_cast<std::uint32_t>(paths));
+    const std::array<std::uint32_t, 2> asked{static_cast<std::uint32_t>(i), static_cast<std::uint32_t>(paths)};
+    set.pixels.push_back({asked[0], asked[1]});
+    set.id = list_hash(set.id, asked);
   }
-  set.id = list_hash(list_hash(0xCBF29CE484222325ULL, set.pixels), set.paths);
   return set;
 }
 
@@ -218,13 +229,13 @@ Result<PixelField> PathRenderer::Impl::colors_of(const ParamState& state, std::s
 
 Result<double> PathRenderer::Impl::error(const ParamState& state, const Target& target) {
   const PathSettings settings = settings_of(state.style);
-  fields_.use(settings.options, settings.kept);
-  const PixelSet set = counted_pixels(target);
+  fields_.use(settings.options);
+  const PixelSet set = counted_pixels(target, settings.kept);
   LUM_TRY(const PixelField colors, colors_of(state, {}, set));
   Image picture(surface_.width, surface_.height, 3);
-  for (std::size_t i = 0; i < colors.size(); ++i) picture.set_rgb(set.pixels[i], colors[i]);
+  for (std::size_t i = 0; i < colors.size(); ++i) picture.set_rgb(set.pixels[i].pixel, colors[i]);
   work_.pictures += 1.0;
-  tally();
+  tally(settings.kept);
   return picture_error(picture, target, style_.metric);
 }
 
@@ -232,11 +243,11 @@ Result<void> PathRenderer::Impl::colors_at(const ParamState& state, std::span<co
                                            std::span<const std::uint32_t> pixels, std::span<Vec3> out) {
   LUM_CHECK(pixels.size() == out.size(), "one colour per pixel");
   const PathSettings settings = settings_of(state.style);
-  fields_.use(settings.options, settings.kept);
+  fields_.use(settings.options);
   const std::uint64_t id = list_hash(0x9E3779B97F4A7C15ULL, pixels);
-  LUM_TRY(const PixelField colors, colors_of(state, without, all_paths_of(pixels, id, settings.kept)));
+  LUM_TRY(const PixelField colors, colors_of(state, without, with_paths(pixels, id, settings.kept)));
   std::ranges::copy(colors, out.begin());
-  tally();
+  tally(settings.kept);
   return {};
 }
 
@@ -248,8 +259,8 @@ Result<void> PathRenderer::Impl::evaluate(std::span<const Candidate> candidates,
   std::size_t begin = 0;
   while (begin < candidates.size()) {
     const PathSettings settings = settings_of(candidates[begin].state->style);
-    fields_.use(settings.options, settings.kept);
-    const PixelSet set = all_paths_of(samples.pixels, samples.id, settings.kept);
+    fields_.use(settings.options);
+    const PixelSet set = with_paths(samples.pixels, samples.id, paths_for(softness, settings.kept));
     std::vector<RigLight> lights;
     std::vector<std::size_t> first;  // [candidates of this run + 1], of each one's lights
     std::size_t end = begin;
@@ -274,9 +285,9 @@ Result<void> PathRenderer::Impl::evaluate(std::span<const Candidate> candidates,
         for (std::size_t i = 0; i < count; ++i) colors[i] += lights[light].color * (*fields[light])[i];
       }
     }
+    tally(settings.kept);
     begin = end;
   }
-  tally();
   return {};
 }
 

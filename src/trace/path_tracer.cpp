@@ -160,10 +160,7 @@ void PathTracer::ask_emitters(Walk& walk, const PathVertex& vertex) const {
   const float cosine = std::abs(glm::dot(emitter.normal, direction));
   const Scattered scattered = evaluate(vertex.surface, direction);
   if (!(cosine > 0.0F) || !(scattered.pdf > 0.0F)) return;
-  const Segment segment{vertex.position, emitter.position};
-  unsigned char blocked = 0;
-  rays_->occluded({&segment, 1}, {&blocked, 1});
-  if (blocked != 0) return;
+  if (rays_->blocked({vertex.position, emitter.position})) return;
   const float pdf = emitter.area_pdf * square / cosine;
   walk.emitted += vertex.throughput * scattered.value * emitter.radiance * (mis_weight(pdf, scattered.pdf) / pdf);
 }

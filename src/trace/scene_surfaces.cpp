@@ -38,12 +38,17 @@ Vec3 texture_color(const Texture& texture, const Vec2& uv) {
   const auto place = [](float t, int size) { return std::clamp(t, -1e4F, 1e4F) * static_cast<float>(size) - 0.5F; };
   const float x = place(uv.x, image.width);
   const float y = place(uv.y, image.height);
-  const float fx = x - std::floor(x);
-  const float fy = y - std::floor(y);
-  const auto texel = [&](int dx, int dy) {
-    const int column = wrapped(static_cast<int>(std::floor(x)) + dx, image.width, texture.repeat_u);
-    const int row = wrapped(static_cast<int>(std::floor(y)) + dy, image.height, texture.repeat_v);
-    const float* data = image.data.data() + image.index(column, row) * static_cast<std::size_t>(image.channels);
+  const float left = std::floor(x);
+  const float top = std::floor(y);
+  const float fx = x - left;
+  const float fy = y - top;
+  const std::array<int, 2> columns{wrapped(static_cast<int>(left), image.width, texture.repeat_u),
+                                   wrapped(static_cast<int>(left) + 1, image.width, texture.repeat_u)};
+  const std::array<int, 2> rows{wrapped(static_cast<int>(top), image.height, texture.repeat_v),
+                                wrapped(static_cast<int>(top) + 1, image.height, texture.repeat_v)};
+  const auto texel = [&](std::size_t dx, std::size_t dy) {
+    const float* data =
+        image.data.data() + image.index(columns[dx], rows[dy]) * static_cast<std::size_t>(image.channels);
     return image.channels >= 3 ? Vec3(data[0], data[1], data[2]) : Vec3(data[0]);
   };
   const Vec3 above = texel(0, 0) * (1.0F - fx) + texel(1, 0) * fx;

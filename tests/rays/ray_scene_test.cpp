@@ -148,6 +148,7 @@ TEST(RayScene, AgreesWithThePlaneForManyRandomSegmentsAndRepeatsItsBits) {
     const float t = a.z / (a.z - b.z);
     const Vec3 hit = a + t * (b - a);
     const float rim = std::max(std::abs(hit.x), std::abs(hit.y));
+    ASSERT_EQ(rays.blocked(segments[i]), first[i] != 0) << i;
     if (std::abs(rim - 1.0F) < 1e-4F || std::abs(t) < 1e-4F || std::abs(t - 1.0F) < 1e-4F)
       continue;  // rounding decides
     EXPECT_EQ(first[i], t > 0.0F && t < 1.0F && rim < 1.0F ? 1 : 0) << "segment " << i;

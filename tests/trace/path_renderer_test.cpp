@@ -255,6 +255,24 @@ TEST(PathRenderer, KeepsFewerPathsOfAPictureWhereMemoryIsShortAndAllOfSamples) {
   EXPECT_EQ(a, b);
 }
 
+TEST(PathRenderer, SavesPathsWhereRaysAreSaved) {
+  LUM_ASSERT_OK(const PathShot shot, small_room(12, 10));
+  const Candidate candidate{shot.state.get()};
+  const SampleSet samples{3, all_pixels(*shot.renderer)};
+  const auto looked_at = [&](int kept, int rays) {
+    shot.set("style/kept=" + std::to_string(kept));
+    std::vector<Vec3> colors(samples.pixels.size());
+    LUM_EXPECT_OK(shot.renderer->evaluate({&candidate, 1}, samples, {.shadow_rays = rays}, colors));
+    return colors;
+  };
+  const std::vector<Vec3> all = looked_at(8, 8);
+  EXPECT_EQ(looked_at(8, 100), all) << "there are no more than are kept";
+  EXPECT_NE(looked_at(8, 4), all);
+  EXPECT_EQ(looked_at(8, 4), looked_at(4, 8));
+  EXPECT_EQ(looked_at(8, 1), looked_at(1, 8));
+  EXPECT_EQ(looked_at(2, 1), looked_at(1, 8)) << "one at least";
+}
+
 TEST(Denoise, BringsFewSamplesNearerToMany) {
   LUM_ASSERT_OK(const PathShot shot, small_room(48, 48));
   shot.set("lights/panel/size=1.6");  // a small one in a mirror makes caustics that are specks for ever
