@@ -106,8 +106,12 @@ void turn_paint(Document& document, double from_frame, double to_frame) {
     document.erase_below(from);
     for (auto& [path, value] : moved) document.set(path, std::move(value));
   };
+  const std::string nu(document.get("paint/nu")), delta(document.get("paint/delta"));
   move("paint/", fmt::format("frames/{}/paint/", number_text(from_frame + 0.0)));
   move(fmt::format("frames/{}/paint/", number_text(to_frame + 0.0)), "paint/");
+  // A frame that was never painted counts unpainted pixels as the lighter last wanted.
+  if (!document.has("paint/nu")) document.set("paint/nu", nu);
+  if (!document.has("paint/delta")) document.set("paint/delta", delta);
 }
 
 bool has_paint(const Document& document) {
