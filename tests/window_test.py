@@ -21,6 +21,8 @@ PATIENCE = 240  # seconds: a machine without a GPU that does other work, too
 CANVAS = (278, 60, 944, 692)
 MARGIN = 12
 PICTURE = (640, 480)
+TAB_PAINT = (1068, 37)  # of the panels on the right
+ADD_LAYER = (1184, 66)  # the first button beside the heading "Layers"
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 LARGEST_DIFFERENCE = 0.002  # of the pixels: hinting and antialiasing of another version of the font rasterizer
 
@@ -161,6 +163,33 @@ def ready(studio):
     probe.unlink()
 
 
+def edit_strokes(studio, project):
+    """The arrow selects the stroke on the bowl, drags it, deletes it; a layer is added, and all of it is undone."""
+    studio.key("a")
+    studio.do("mousemove", *place(0.535, 0.72))
+    time.sleep(0.3)
+    studio.do("click", 1)
+    studio.do("mousemove", *TAB_PAINT)
+    time.sleep(0.5)
+    studio.do("click", 1)
+    time.sleep(1)
+    studio.shot("stroke_selected")
+    studio.drag((0.535, 0.72), (0.60, 0.68))
+    wait_for("the stroke is moved", lambda: count(project, "Move stroke 2") == 1)
+    studio.key("Delete")
+    wait_for("the stroke is deleted", lambda: count(project, "Delete stroke 2") == 1)
+    studio.do("mousemove", *ADD_LAYER)
+    time.sleep(0.5)
+    studio.do("click", 1)
+    wait_for("a layer is added", lambda: count(project, "Add layer") == 1)
+    time.sleep(1)
+    studio.shot("layers")
+    before = len(records(project))
+    studio.key("ctrl+z", "ctrl+z", "ctrl+z")
+    wait_for("layer and strokes are as before", lambda: len(records(project)) == before + 3)
+    studio.key("b")
+
+
 def paint_and_accept(studio):
     project = kept_session(studio)
     ready(studio)
@@ -174,6 +203,7 @@ def paint_and_accept(studio):
         raise Fault(f"one light is added for the paint: {labels(project)}")
     time.sleep(3)
     studio.shot("painted")
+    edit_strokes(studio, project)
     studio.key("s")
     studio.drag((0.66, 0.36), (0.66, 0.44), (0.64, 0.56))
     wait_for("the shadow is recorded", lambda: count(project, "Paint 1 stroke") == 4)

@@ -30,11 +30,11 @@ class StrokePanel {
  private:
   void layer_row(Desk& desk, std::size_t index);
   void layer_name(Desk& desk, std::size_t index, float width);
+  void rename_popup(Desk& desk, const std::string& layer);
   void stroke_row(Desk& desk, std::uint32_t number);
   void take_up(const Desk& desk);
 
-  std::string renamed_;  ///< layer whose name is typed
-  std::string name_;
+  std::string name_;   ///< as it is typed
   std::string faded_;  ///< layer whose opacity is under the hand
   float opacity_ = 1.0F;
   std::uint32_t stroke_ = 0;  ///< whose brush is held

@@ -150,38 +150,43 @@ void where(Desk& desk, std::uint32_t number) {
 
 }  // namespace
 
-void StrokePanel::layer_name(Desk& desk, std::size_t index, float width) {
-  const PaintLayer& layer = desk.now->layers->layers[index];
-  if (renamed_ != layer.name) {
-    const bool active = index == desk.now->layers->active;
-    ImGui::PushStyleColor(ImGuiCol_Text, active          ? paint_colors::kAccent
-                                         : layer.visible ? paint_colors::kText
-                                                         : paint_colors::kFaint);
-    if (ImGui::Selectable(fmt::format("{}  ({})", layer.name, layer.strokes.size()).c_str(), active,
-                          ImGuiSelectableFlags_AllowDoubleClick, {width, 0.0F})) {
-      if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) {
-        renamed_ = name_ = layer.name;
-      } else if (!active) {
-        choose(desk, layer.name);
-      }
-    }
-    ImGui::PopStyleColor();
-    return tip(desk.theme,
-               "Click to paint on this layer, double click to rename it. The number says how many strokes it has.");
-  }
+/// A field for a name, over the layer's row.
+void StrokePanel::rename_popup(Desk& desk, const std::string& layer) {
+  if (!ImGui::BeginPopup("rename")) return;
   std::array<char, 256> text{};
   std::copy_n(name_.begin(), std::min(name_.size(), text.size() - 1), text.begin());
-  ImGui::SetNextItemWidth(width);
-  ImGui::SetKeyboardFocusHere();
+  if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+  ImGui::SetNextItemWidth(desk.theme.px(180.0F));
   const bool entered = ImGui::InputText("##name", text.data(), text.size(),
                                         ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_AutoSelectAll);
   name_ = text.data();
-  if (entered && name_ != layer.name) {
-    post(desk, "rename a layer",
-         [from = layer.name, to = name_](PaintLayers& layers) { return layers.rename(from, to); });
+  ImGui::SameLine();
+  if (ImGui::Button("Rename") || entered) {
+    post(desk, "rename a layer", [from = layer, to = name_](PaintLayers& layers) { return layers.rename(from, to); });
+    ImGui::CloseCurrentPopup();
   }
-  const bool left = ImGui::IsMouseClicked(ImGuiMouseButton_Left) && !ImGui::IsItemHovered();
-  if (entered || left || ImGui::IsKeyPressed(ImGuiKey_Escape)) renamed_.clear();
+  tip(desk.theme, "The layer is called so from now on, also in scripts.");
+  ImGui::EndPopup();
+}
+
+void StrokePanel::layer_name(Desk& desk, std::size_t index, float width) {
+  const PaintLayer& layer = desk.now->layers->layers[index];
+  const bool active = index == desk.now->layers->active;
+  ImGui::PushStyleColor(ImGuiCol_Text, active          ? paint_colors::kAccent
+                                       : layer.visible ? paint_colors::kText
+                                                       : paint_colors::kFaint);
+  const std::string title = fmt::format("{}  ({})", layer.name, layer.strokes.size());
+  const bool clicked = ImGui::Selectable(title.c_str(), active, ImGuiSelectableFlags_AllowDoubleClick, {width, 0.0F});
+  ImGui::PopStyleColor();
+  const bool twice = clicked && ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
+  if (twice || ImGui::IsItemClicked(ImGuiMouseButton_Right)) {
+    name_ = layer.name;
+    ImGui::OpenPopup("rename");
+  } else if (clicked && !active) {
+    choose(desk, layer.name);
+  }
+  tip(desk.theme, "Click to paint on this layer, right click to rename it. The number says how many strokes it has.");
+  rename_popup(desk, layer.name);
 }
 
 void StrokePanel::layer_row(Desk& desk, std::size_t index) {
@@ -210,7 +215,7 @@ void StrokePanel::layer_row(Desk& desk, std::size_t index) {
          [name = layer.name, opacity = opacity_](PaintLayers& layers) { return layers.set_opacity(name, opacity); });
     faded_.clear();
   }
-  tip(theme, "How much of what the layer makes of the picture below it is asked for.");
+  tip(theme, "Opacity: how strongly the layer shows over what is below it.");
   ImGui::PopID();
 }
 

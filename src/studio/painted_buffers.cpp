@@ -1,6 +1,7 @@
 #include "studio/painted_buffers.h"
 
 #include <algorithm>
+#include <atomic>
 
 namespace luminist {
 namespace {
@@ -33,6 +34,7 @@ std::shared_ptr<const PaintedPictures> PaintedBuffers::show(const Target& target
     if (a.all_stale != b.all_stale) return b.all_stale;
     return a.stale.width() * a.stale.height() < b.stale.width() * b.stale.height();
   };
+  std::atomic_thread_fence(std::memory_order_acquire);  // what others read of a buffer that they let go is read
   Buffer& buffer = *std::min_element(buffers_.begin(), buffers_.end(), fresher);
   if (!free(buffer) || buffer.all_stale) {
     buffer.pictures =

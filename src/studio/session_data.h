@@ -28,7 +28,7 @@ struct SessionData {
   std::optional<ParamState> proposed_;  ///< found elsewhere
   std::optional<Solved> solved_;
   bool locks_chosen_ = false;
-  std::string layer_;  ///< that is painted on; one that is not there: the highest
+  std::string layer_ = {};  ///< that is painted on; one that is not there: the highest
 };
 
 }  // namespace luminist

@@ -99,7 +99,7 @@ void Workbench::note_event(const LiveEvent& event, double paint) {
   cost_ = paint > 0.0 ? EventCost{paint, event.paint, event.retarget, event.solve, event.picture, snapshot}
                       : EventCost{event.paint, 0.0, event.retarget, event.solve, event.picture, snapshot};
   if (paint > 0.0) {
-    quick_size_.note(cost_.total(), quick_stage().pixels());
+    quick_size_.note(cost_.total(), static_cast<double>(quick_painting_->target().color.pixels()));
   } else {
     painted_buffers_.note(event.painted);
   }

@@ -186,7 +186,9 @@ TEST_F(PaintLayersTest, ScriptsDoAllOfIt) {
       << R"({"do":"layer","name":"Rim","rename":"Edge","visible":true,"place":0})" << '\n'
       << R"({"do":"layer","name":"More"})" << '\n'
       << R"({"do":"merge_layer","name":"Layer 1"})" << '\n'
-      << R"({"do":"remove_layer","name":"More"})" << '\n'
+      << R"({"do":"merge_layer","name":"More"})" << '\n'
+      << R"({"do":"layer","name":"Spare"})" << '\n'
+      << R"({"do":"remove_layer","name":"Spare"})" << '\n'
       << R"({"do":"save","project":"scripted.lum"})" << '\n';
   LUM_EXPECT_OK(run_script(*device_, roots_, folder_.path() / "script.jsonl", folder_.path(), {}, diagnostics_));
   session_ = open_project("scripted.lum");
