@@ -65,50 +65,6 @@ void name_at(const Desk& desk, const ImVec2& at, const std::string& name, ImU32 
 
 }  // namespace
 
-std::vector<KeyRow> key_rows(const LightRig& rig, const std::string& selected) {
-  std::vector<KeyRow> rows;
-  for (const KeyTrack& track : rig.keys) {
-    const std::string name = track_name(rig, track);
-    if (name.empty()) continue;
-    if (!selected.empty()) {
-      if (track.light != (selected == "ambient" ? "" : selected)) continue;
-      rows.push_back({name, path_of(track.light) + "/" + name, track.keys});
-      continue;
-    }
-    const std::string pattern = path_of(track.light);
-    auto row = std::find_if(rows.begin(), rows.end(), [&](const KeyRow& each) { return each.pattern == pattern; });
-    if (row == rows.end()) {
-      row = rows.insert(rows.end(), {track.light.empty() ? "ambient" : track.light, pattern, {}});
-    }
-    for (const Key& key : track.keys) {
-      const bool there =
-          std::any_of(row->keys.begin(), row->keys.end(), [&](const Key& each) { return each.frame == key.frame; });
-      if (!there) row->keys.push_back(key);
-    }
-  }
-  return rows;
-}
-
-float TimeScale::x_of(double frame) const {
-  const double range = std::max(last - first, 1);
-  return left + static_cast<float>((frame - first) / range) * (right - left);
-}
-
-double TimeScale::frame_at(float x) const {
-  const double share = (x - left) / std::max(right - left, 1.0F);
-  return std::clamp(std::round(first + share * std::max(last - first, 1)), static_cast<double>(first),
-                    static_cast<double>(last));
-}
-
-int TimeScale::step(float least_px) const {
-  const double frames = least_px * std::max(last - first, 1) / std::max(right - left, 1.0F);
-  for (int decade = 1;; decade *= 10) {
-    for (const int factor : {1, 2, 5}) {
-      if (factor * decade >= frames) return factor * decade;
-    }
-  }
-}
-
 void ShotsPanel::ruler(Desk& desk, const FrameFacts& facts, const TimeScale& scale, float height) {
   const Theme& theme = desk.theme;
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -121,7 +77,7 @@ void ShotsPanel::ruler(Desk& desk, const FrameFacts& facts, const TimeScale& sca
     if (frame < scale.first) continue;
     const float x = scale.x_of(frame);
     list.AddLine({x, at.y + 0.7F * deep}, {x, at.y + deep}, paint_colors::kDim);
-    list.AddText(theme.small, theme.small->FontSize, {x + theme.px(3.0F), at.y + theme.px(1.0F)}, paint_colors::kDim,
+    list.AddText(theme.small, theme.small->FontSize, {x + theme.px(6.0F), at.y + theme.px(1.0F)}, paint_colors::kDim,
                  std::to_string(frame).c_str());
   }
   ImGui::SetCursorScreenPos({scale.left - reach, at.y});
@@ -171,8 +127,8 @@ void ShotsPanel::paint_row(Desk& desk, const FrameFacts& facts, const TimeScale&
     ImGui::PopID();
   }
   if (facts.painted.empty()) {
-    list.AddText(theme.small, theme.small->FontSize, {scale.left, at.y + theme.px(2.0F)}, paint_colors::kFaint,
-                 "no frame is painted");
+    list.AddText(theme.small, theme.small->FontSize, {scale.left + theme.px(8.0F), at.y + theme.px(2.0F)},
+                 paint_colors::kDim, "no frame is painted");
   }
   ImGui::SetCursorScreenPos({at.x, at.y + theme.px(kRow)});
 }
@@ -330,8 +286,8 @@ void ShotsPanel::timeline(Desk& desk, const FrameFacts& facts) {
   if (rows.empty()) {
     const ImVec2 here = ImGui::GetCursorScreenPos();
     name_at(desk, here, desk.selected.empty() ? "Keys" : desk.selected, paint_colors::kText);
-    ImGui::GetWindowDrawList()->AddText(theme.small, theme.small->FontSize, {scale.left, here.y + theme.px(2.0F)},
-                                        paint_colors::kFaint,
+    ImGui::GetWindowDrawList()->AddText(theme.small, theme.small->FontSize,
+                                        {scale.left + theme.px(8.0F), here.y + theme.px(2.0F)}, paint_colors::kDim,
                                         "no keys: what it is holds at every frame; + key sets one here");
   }
   ImGui::EndChild();

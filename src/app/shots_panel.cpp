@@ -134,9 +134,9 @@ void ShotsPanel::strip(Desk& desk, const FrameFacts& facts) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const ImVec2 at = ImGui::GetCursorScreenPos();
   float x = at.x + 0.5F * (room - static_cast<float>(pictures) * (width + gap) + gap);
-  for (int k = -(pictures / 2); k <= pictures / 2; ++k, x += width + gap) {
+  const int before = std::min(pictures / 2, static_cast<int>(std::max(facts.frame, 0.0)) / every_);
+  for (int k = -before; k < pictures - before; ++k, x += width + gap) {
     const double frame = facts.frame + k * every_;
-    if (frame < 0.0) continue;
     const ImVec2 hi(x + width, at.y + height);
     const auto found = std::find_if(facts.strip.begin(), facts.strip.end(),
                                     [&](const FramePicture& each) { return each.frame == frame; });

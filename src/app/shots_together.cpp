@@ -102,24 +102,28 @@ void ShotsPanel::together(Desk& desk, const FrameFacts& facts) {
     if (choice.on) chosen.push_back({painted.frame, static_cast<double>(choice.weight)});
   }
   ImGui::EndChild();
-  const bool keyed = !desk.now->shown->rig.keys.empty();
-  const bool ready = chosen.size() >= 2 && !keyed && desk.now->free_dofs > 0;
+  const std::string obstacle = !desk.now->shown->rig.keys.empty()
+                                   ? "remove the keys first: they differ from frame to frame"
+                               : desk.now->free_dofs == 0 ? "everything is locked: free what may change"
+                               : chosen.size() < 2        ? "choose two frames at least"
+                                                          : "";
+  const bool ready = obstacle.empty();
   if (!ready) ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 0.4F * ImGui::GetStyle().Alpha);
   const std::string label = fmt::format("Solve {} frames together", chosen.size());
   const bool clicked = ImGui::Button(label.c_str());
   if (!ready) ImGui::PopStyleVar();
-  tip(theme, keyed                      ? "Lights with keys differ from frame to frame: remove the keys first."
-             : desk.now->free_dofs == 0 ? "Everything is locked: free what may change."
-             : chosen.size() < 2        ? "Choose two frames at least."
-                                        : "Finds one rig for what is painted on the chosen frames: the weighted mean "
-                                          "of their errors. Accepting it answers the paint of all. Takes a while.");
+  tip(theme,
+      "Finds one rig for what is painted on the chosen frames: the weighted mean of their errors. Accepting it answers "
+      "the paint of all. Takes a while.");
   if (clicked && ready) solve(desk, chosen, judge_);
   ImGui::SameLine();
   ImGui::Checkbox("judge the strokes", &judge_);
   tip(theme, "Afterwards says of every stroke on every frame whether the lights make it. Takes seconds a frame.");
-  if (!facts.solved.empty() && desk.now->report) {
-    ImGui::SameLine();
-    ImGui::AlignTextToFramePadding();
+  ImGui::SameLine();
+  ImGui::AlignTextToFramePadding();
+  if (!ready) {
+    ImGui::TextDisabled("%s", obstacle.c_str());
+  } else if (!facts.solved.empty() && desk.now->report) {
     ImGui::Text("together %.4f, was %.4f", desk.now->report->epsilon, desk.now->report->epsilon_start);
     tip(theme, "The weighted mean of the errors, and what it was. Accept or revert it as any solve.");
   }

@@ -153,7 +153,7 @@ TEST(VogelDisc, IsEvenAndInsideTheUnitDisc) {
   EXPECT_NEAR(squares / 64.0, 0.5, 1e-3);  // mean squared radius of a disc
 }
 
-TEST_F(ShadowLightTest, ASunCoversTheSceneFromItsMiddle) {
+TEST_F(ShadowLights, ASunCoversTheSceneFromItsMiddle) {
   LUM_ASSERT_OK(Light light, make_light(*types_, "sun", "sun", SceneFrame{}));
   light.params.set(*light.params.schema().by_role("size"), 0, 0.01);
   const ShadowLight shadow = shadow_light(light, *types_, kScene);
@@ -166,7 +166,7 @@ TEST_F(ShadowLightTest, ASunCoversTheSceneFromItsMiddle) {
   EXPECT_EQ(way_to_light(shadow, Vec3(9, 9, 9)), -shadow.direction);
 }
 
-TEST_F(ShadowLightTest, TapsOfASunLieAboveTheReceiversPlaneAndAsWideEverywhere) {
+TEST_F(ShadowLights, TapsOfASunLieAboveTheReceiversPlaneAndAsWideEverywhere) {
   const ShadowLight sun{ShadowKind::kSun, Vec3(0), glm::normalize(Vec3(1, -1, 0)), 2.0F, 0.05F, 512};
   const Vec3 up(0, 1, 0);
   for (const float away : {1.0F, 50.0F}) {

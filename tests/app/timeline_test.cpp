@@ -1,4 +1,4 @@
-#include "app/shots_panel.h"
+#include "app/timeline.h"
 
 #include <gtest/gtest.h>
 
@@ -31,13 +31,8 @@ TEST(TimeScale, LabelsAreRoundNumbersAndDoNotTouch) {
 
 class KeyRowsTest : public testing::Test {
  protected:
-  void SetUp() override {
-    LUM_ASSERT_OK(const LightTypes types, LightTypes::load(AssetRoots::standard()));
-    rig_ = empty_rig(types, SceneFrame{});
-    for (const char* name : {"key", "rim"}) {
-      LUM_ASSERT_OK(Light light, make_light(types, "cinematic", name, SceneFrame{}));
-      rig_.lights.push_back(std::move(light));
-    }
+  KeyRowsTest() : types_(*LightTypes::load(AssetRoots::standard())), rig_(empty_rig(types_, SceneFrame{})) {
+    for (const char* name : {"key", "rim"}) rig_.lights.push_back(*make_light(types_, "cinematic", name, SceneFrame{}));
     const int position = *rig_.lights[0].params.schema().find("position");
     const int color = *rig_.lights[0].params.schema().find("color");
     set_key(rig_, {"key", position, 0}, 0, KeyInterpolation::kStep);
@@ -45,6 +40,7 @@ class KeyRowsTest : public testing::Test {
     set_key(rig_, {"key", color}, 12, KeyInterpolation::kLinear);
     set_key(rig_, {"", 0}, 3, KeyInterpolation::kLinear);
   }
+  LightTypes types_;
   LightRig rig_;
 };
 
