@@ -25,7 +25,9 @@ enum class Icon {
   kEyeOff,
   kSolo,
   kPlus,
-  kTrash,
+  kMore,  ///< three dots: a menu
+  kFolded,
+  kUnfolded,
 };
 Icon icon_of(Tool tool);
 

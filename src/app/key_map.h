@@ -39,6 +39,9 @@ enum class Deed {
   kFullSize,
   kKeys,
   kHidePanels,
+  kHandles,
+  kDragHighlight,
+  kDragShadow,
   kOpacity,  ///< a digit: tenths
 };
 

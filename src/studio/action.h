@@ -33,6 +33,8 @@ class Action {
   [[nodiscard]] Result<std::optional<bool>> flag(const char* field) const;
   /// A string, or an array of strings.
   [[nodiscard]] Result<std::vector<std::string>> texts(const char* field) const;
+  /// An array of so many numbers.
+  [[nodiscard]] Result<std::vector<double>> numbers(const char* field, std::size_t count) const;
   /// [width, height].
   [[nodiscard]] Result<std::optional<std::pair<int, int>>> size(const char* field) const;
   /// The same, and kBadContent if it is missing.

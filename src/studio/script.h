@@ -21,11 +21,13 @@ struct ScriptEvents {
 /// Runs the lines of a script, or brings a recorded project (NAME.lum, or its log.jsonl) to its last state.
 ///
 /// A line is a JSON object with "do": open, set, lock, unlock, constrain, set_constraints, add_light, remove_light,
-/// mute, link_light, share_shadows, load_rig, style, go_to, key, remove_key, paint, importance, target, clear_paint,
-/// solve, make_up (a light goes, the others make up for it), alternatives, diet, remedy, accept, adopt, revert, undo,
-/// redo, export, contact_sheet, save. The three that look further propose what "take" says: the number of an
-/// alternative, or true for the fewest lights within the budget. Empty lines and lines that begin with # are skipped.
-/// Inputs are looked for beside the script, then below the asset roots; outputs go below `output`. A project is
+/// mute, rename_light, duplicate_light, group_lights, link_light, share_shadows, load_rig, style, reframe (another
+/// camera or size), go_to, key, remove_key, paint, drag_highlight and drag_shadow (paint and a solve), importance,
+/// target, clear_paint, solve, make_up (a light goes, the others make up for it), alternatives, diet, remedy, accept,
+/// adopt, revert, undo, redo, export, export_pictures (those that are chosen), contact_sheet, look (a picture from
+/// anywhere), save. The three that look further propose what "take" says: the number of an alternative, or true for the
+/// fewest lights within the budget. Empty lines and lines that begin with # are skipped. Inputs are looked for beside
+/// the script, then below the asset roots; outputs go below `output`. A project is
 /// replayed by its recorded effects and exported to `output`. live: what is painted for a solve, with nothing between
 /// the two but lights that are added, locks, constraints, values and importance, is painted live
 /// (studio/live_replay.h); what that found takes the place of the solve. Projects have no strokes to paint again.

@@ -13,6 +13,9 @@
 
 namespace luminist {
 
+class LightList;
+class ShotView;
+
 /// One shot under work.
 ///
 /// Every call that changes something is one gesture: it is recorded as one command with what it did and what was asked
@@ -47,6 +50,8 @@ class Session : private SessionData {
   Result<const Target*> target();  ///< What is painted, until the next call. errors the renderer's; a tile is gone.
   [[nodiscard]] bool painted() const { return has_paint(project_.document()); }
 
+  ShotView view();  ///< camera, size, and the shot from anywhere (studio/shot_view.h)
+
   // Lights and style -----------------------------------------------------------------------------------------------
   /// Assignments as "lights/key/barn=0.3,0.3,0.1", all or none; constraints then move what they must. errors kUsage.
   Result<void> set(const std::vector<std::string>& assignments);
@@ -64,6 +69,7 @@ class Session : private SessionData {
   Result<void> set_constraints(std::vector<Constraint> constraints);
   /// Adds constraints in words (parse_constraint()); one replaces that of its light and kind. errors as both.
   Result<void> constrain(const std::vector<std::string>& words);
+  LightList light_list();  ///< names, groups, copies of lights (studio/light_list.h)
   Result<void> set_muted(const std::string& name, bool muted);
   /// That light, or all of "group:NAME", lights only the objects that match; none: all. errors those of link_light().
   Result<void> link_light(const std::string& name, const std::vector<std::string>& patterns);
@@ -127,6 +133,8 @@ class Session : private SessionData {
   Result<void> save_as(const std::filesystem::path& folder) { return project_.save_as(folder); }
 
  private:
+  friend class LightList;
+  friend class ShotView;
   explicit Session(SessionData data) : SessionData(std::move(data)) {}
   Result<Canvas*> canvas();
   Result<StartLight> start_light();

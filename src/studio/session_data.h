@@ -12,6 +12,8 @@
 
 namespace luminist {
 
+class FreeView;
+
 /// The project is the truth; the rest is made from it, or will be when it is needed.
 struct SessionData {
   Device* device_;
@@ -28,6 +30,8 @@ struct SessionData {
   std::optional<ParamState> proposed_;  ///< found elsewhere
   std::optional<Solved> solved_;
   bool locks_chosen_ = false;
+  std::shared_ptr<FreeView> free_view_ = {};  ///< null: nobody looked yet
+  std::uint64_t free_view_of_ = 0;            ///< id of the stage whose shot it shows
 };
 
 }  // namespace luminist
