@@ -95,6 +95,8 @@ bool LitView::shows(const Camera& camera) const {
 }
 
 void LitView::forget() {
+  waiting_ = false;  // what is on its way shows the other shot
+  answer_.reset();
   shown_.reset();
   picture_.reset();
   solid_.reset();

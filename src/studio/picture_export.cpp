@@ -1,5 +1,6 @@
 #include "studio/picture_export.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -68,16 +69,24 @@ Result<void> write_one(const Planned& planned, const Image& numbers, const Image
   return {};
 }
 
+/// Rows of pictures, each under its title, one below the other.
 Result<void> write_sheet(const std::vector<std::string>& titles, std::vector<Image> pictures, const fs::path& path) {
-  std::vector<SheetRow> rows;
-  for (std::size_t i = 0; i < pictures.size(); ++i) {
-    if (i % kColumns == 0) rows.emplace_back();
-    SheetRow& row = rows.back();
-    row.label += (row.label.empty() ? "" : "   |   ") + titles[i];
-    row.pictures.push_back(std::move(pictures[i]));
+  std::vector<Image> rows;
+  int height = 0;
+  for (std::size_t first = 0; first < pictures.size(); first += kColumns) {
+    const std::size_t end = std::min(first + kColumns, pictures.size());
+    std::vector<std::string> columns(titles.begin() + static_cast<std::ptrdiff_t>(first),
+                                     titles.begin() + static_cast<std::ptrdiff_t>(end));
+    columns.resize(std::min(kColumns, titles.size()));  // all rows are equally wide
+    SheetRow row;
+    for (std::size_t i = first; i < end; ++i) row.pictures.push_back(std::move(pictures[i]));
+    rows.push_back(contact_sheet(columns, {row}, kColumnWidth_px));
+    height += rows.back().height;
   }
-  const std::vector<std::string> columns(std::min(kColumns, titles.size()));
-  return write_image(path.string(), contact_sheet(columns, rows, kColumnWidth_px));
+  Image sheet(rows.front().width, height, 3);
+  auto at = sheet.data.begin();
+  for (const Image& row : rows) at = std::copy(row.data.begin(), row.data.end(), at);
+  return write_image(path.string(), sheet);
 }
 
 }  // namespace
