@@ -83,9 +83,18 @@ class Studio:
     def start(self, *words):
         self.process = subprocess.Popen([self.luminist, *map(str, words)], env=self.env, cwd=self.output)
 
-    def kill(self):
+    def kill(self, heard=True):
+        """Ends the program at once. Unless that is heard of, it stays a zombie for now."""
         self.process.send_signal(signal.SIGKILL)
-        self.process.wait()
+        if heard:
+            self.process.wait()
+
+    def click(self, x, y):
+        """A click on a control: the pointer rests there for a moment, as a hand does."""
+        self.do("mousemove", x, y)
+        time.sleep(0.5)
+        self.do("click", 1)
+        time.sleep(0.8)
 
     def do(self, *words):
         if self.process.poll() is not None:
@@ -217,6 +226,58 @@ def paint_and_accept(studio):
     return project
 
 
+LIGHT_MENU = (1247, 97)  # of the first light in the list
+RENAME, DUPLICATE = (1150, 114), (1150, 134)  # in that menu
+
+
+def keep_the_list(studio, project):
+    """The menu of a light: a copy and another name, each one command, both undone again."""
+    for choice, start in ((DUPLICATE, "Duplicate light as light-2"), (RENAME, "Rename light to key")):
+        studio.click(*LIGHT_MENU)
+        studio.shot("light_menu")
+        studio.click(*choice)
+        if choice == RENAME:
+            studio.do("key", "ctrl+a")
+            studio.do("type", "--delay", "60", "key")
+            studio.do("key", "Return")
+        wait_for(f"\"{start}\" is recorded", lambda label=start: count(project, label) == 1)
+        time.sleep(1)
+        studio.shot("light_list")
+        before = len(records(project))
+        studio.key("ctrl+z")
+        wait_for("it is undone", lambda n=before: len(records(project)) == n + 1)
+
+
+def close_menus_by_escape(studio):
+    studio.do("mousemove", 640, 707)
+    time.sleep(1)
+    before = studio.shot("no_menu")
+    studio.click(23, 12)
+    opened = studio.shot("file_menu")
+    studio.do("mousemove", 640, 707)
+    studio.do("key", "Escape")
+    time.sleep(1)
+    closed = studio.shot("menu_closed")
+    differing = [int(float(subprocess.run(
+        ["compare", "-metric", "AE", "-fuzz", "4%", before, shot, "null:"], check=False, capture_output=True,
+        text=True).stderr.split()[0])) for shot in (opened, closed)]
+    if not differing[0] > 5000 or differing[1] > 1500:
+        raise Fault(f"a menu differs in {differing[0]} pixels, and after Esc in {differing[1]}")
+
+
+def look_from_anywhere(studio):
+    """The scene stands there plainly, then lit; it is turned, and the canvas comes back."""
+    studio.key("v")
+    ready(studio)
+    studio.shot("orbit")
+    studio.drag((0.5, 0.9), (0.8, 0.8))
+    studio.shot("orbit_turned")
+    time.sleep(6)
+    studio.shot("orbit_lit")
+    studio.key("v")
+    ready(studio)
+
+
 def undo_redo_save(studio, project):
     before = len(records(project))
     studio.key("ctrl+z")
@@ -258,7 +319,8 @@ def recover_unsaved(studio):
     ready(studio)
     studio.drag((0.42, 0.4), (0.45, 0.5))
     wait_for("a stroke is recorded", lambda: count(project, "Paint 1 stroke") == 1)
-    studio.kill()
+    killed = studio.process
+    studio.kill(heard=False)  # a zombie holds no lock
     studio.start()
     time.sleep(1)
     kept_session(studio)
@@ -270,7 +332,8 @@ def recover_unsaved(studio):
     studio.do("click", 1)
     time.sleep(1)
     wait_for("the session goes on where it was",
-             lambda: (project / "lock").exists())
+             lambda: f'"pid":{studio.process.pid}' in (project / "lock").read_text())
+    killed.wait()
     ready(studio)
     before = len(records(project))
     studio.shot("recovered")
@@ -292,6 +355,9 @@ def main():
         try:
             studio.start()
             project = paint_and_accept(studio)
+            keep_the_list(studio, project)
+            close_menus_by_escape(studio)
+            look_from_anywhere(studio)
             named = undo_redo_save(studio, project)
             crash_and_reopen(studio, named)
             recover_unsaved(studio)

@@ -59,6 +59,10 @@ void view_menu(Desk& desk) {
   item(desk, "Hide the panels", Deed::kHidePanels);
   if (ImGui::MenuItem("Frames and keys", nullptr, shots_shown(desk))) desk.show_shots = !shots_shown(desk);
   item(desk, "The shot from anywhere", Deed::kOrbit);
+  item(desk, "Handles of barn and cutoffs", Deed::kHandles);
+  ImGui::Separator();
+  item(desk, "Drag a highlight", Deed::kDragHighlight, desk.has_shot());
+  item(desk, "Drag a shadow's edge", Deed::kDragShadow, desk.has_shot());
   ImGui::Separator();
   item(desk, "Keep the picture to compare with", Deed::kKeep, desk.has_shot());
   if (ImGui::MenuItem("Wipe against the kept picture", nullptr, desk.wipe_kept, desk.kept != nullptr)) {
@@ -146,9 +150,15 @@ void menu_bar(Desk& desk) {
     const std::string title = fmt::format("{}   {}   {} x {}   {}", std::filesystem::path(shot.scene).stem().string(),
                                           shot.style, shot.width, shot.height, name);
     const float width = ImGui::CalcTextSize(title.c_str()).x;
-    ImGui::SameLine(ImGui::GetWindowWidth() - width - desk.theme.px(12.0F));
+    // Where there is no room its beginning is cut off; the tooltip has the rest.
+    const float left = ImGui::GetCursorPosX() + desk.theme.px(16.0F);
+    const float right = ImGui::GetWindowWidth() - desk.theme.px(12.0F);
+    const ImVec2 window = ImGui::GetWindowPos();
+    ImGui::PushClipRect({window.x + left, window.y}, {window.x + right, window.y + ImGui::GetWindowHeight()}, true);
+    ImGui::SetCursorPosX(std::max(left, right - width));
     ImGui::TextDisabled("%s", title.c_str());
-    tip(desk.theme, ("What you do is kept in " + history.folder.string()).c_str());
+    ImGui::PopClipRect();
+    tip(desk.theme, (title + "\nWhat you do is kept in " + history.folder.string()).c_str());
   }
   ImGui::EndMainMenuBar();
 }
@@ -159,23 +169,27 @@ void status_bar(Desk& desk) {
   const std::string place = place_line(desk);
   const float right = ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(place.c_str()).x;
   const bool busy = !desk.activity.label.empty() && desk.activity.seconds > kQuick;
+  const ImVec2 at = ImGui::GetCursorScreenPos();
+  const float most = std::max(0.0F, right - desk.theme.px(24.0F));
+  ImGui::PushClipRect(at, {at.x + most, at.y + ImGui::GetTextLineHeightWithSpacing()}, true);
+  std::string full;
   if (busy) {
     spinner(desk);
-    ImGui::TextUnformatted((desk.activity.label + " ...").c_str());
+    full = desk.activity.label + " ...";
+    ImGui::TextUnformatted(full.c_str());
   } else if (!desk.messages.empty() && desk.time - desk.messages.back().time < kReadable) {
     const StudioMessage& message = desk.messages.back().message;
+    full = line_of(message);
     ImGui::PushStyleColor(ImGuiCol_Text, color_of(message.kind));
-    const ImVec2 at = ImGui::GetCursorScreenPos();
-    ImGui::PushClipRect(at, {at.x + right - desk.theme.px(24.0F), at.y + ImGui::GetTextLineHeightWithSpacing()}, true);
-    ImGui::TextUnformatted(line_of(message).c_str());
-    ImGui::PopClipRect();
+    ImGui::TextUnformatted(full.c_str());
     ImGui::PopStyleColor();
-    if (ImGui::IsItemClicked()) ImGui::OpenPopup("messages");
-    tip(desk.theme, line_of(message).c_str());
   } else {
+    full = "Click to read what was said.";
     ImGui::TextDisabled("%s", "Ready");
-    if (ImGui::IsItemClicked()) ImGui::OpenPopup("messages");
   }
+  ImGui::PopClipRect();
+  if (ImGui::IsItemClicked() && !busy) ImGui::OpenPopup("messages");
+  tip(desk.theme, full.c_str());
   message_list(desk);
   ImGui::SameLine(right);
   ImGui::TextDisabled("%s", place.c_str());

@@ -32,6 +32,11 @@ void set_opacity(Desk& desk, int digit) {
   desk.box.set_opacity(digit == 0 ? 1.0F : 0.1F * static_cast<float>(digit));
 }
 
+void toggle_goal(Desk& desk, DragGoal goal) {
+  desk.goal = desk.goal == goal ? DragGoal::kNone : goal;
+  desk.orbit = false;
+}
+
 /// What concerns the brush and the view only. returns whether it was such a deed.
 bool perform_here(Desk& desk, Deed deed, int digit) {
   constexpr float kBrushStep = 1.15F;
@@ -72,6 +77,12 @@ bool perform_here(Desk& desk, Deed deed, int digit) {
       return keep_picture(desk), true;
     case Deed::kOrbit:
       return desk.orbit = !desk.orbit, true;
+    case Deed::kDragHighlight:
+      return toggle_goal(desk, DragGoal::kHighlight), true;
+    case Deed::kDragShadow:
+      return toggle_goal(desk, DragGoal::kShadow), true;
+    case Deed::kHandles:
+      return desk.shape_handles = !desk.shape_handles, true;
     case Deed::kFit:
       return desk.view.fit(), true;
     case Deed::kFullSize:

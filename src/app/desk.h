@@ -25,7 +25,10 @@ struct ToldMessage {
 };
 
 /// Which question is put over the window.
-enum class Question { kNone, kOpen, kSaveAs, kExport, kImage, kKeys, kQuit, kRecover };
+enum class Question { kNone, kOpen, kSaveAs, kExport, kExportFolder, kImage, kKeys, kQuit, kRecover };
+
+/// What a drag on the picture says, in place of a stroke.
+enum class DragGoal { kNone, kHighlight, kShadow };
 
 struct Desk {
   StudioThread* studio = nullptr;
@@ -44,10 +47,14 @@ struct Desk {
   bool wipe_kept = false;             ///< the kept picture on the left
   std::shared_ptr<const Image> kept;  ///< a picture to compare with; null: none
   bool orbit = false;                 ///< the shot from anywhere, in place of the canvas
+  bool shape_handles = true;          ///< a light that is selected shows its barn and cutoffs
+  bool software = false;              ///< the processor draws the window, too
   std::uint32_t pointed_stroke = 0;   ///< the canvas marks where it lies; 0: none
   std::uint32_t selected_stroke = 0;  ///< that the edit tool changes; 0: none
   std::string pen;                    ///< whether there is one, as a line
   bool pick_clip = false;             ///< the next click names the object that strokes stay on
+  DragGoal goal = DragGoal::kNone;    ///< drags move a highlight, or the edge of a shadow
+  std::string linking;                ///< a light whose objects clicks on the picture choose; "": none
   bool space_down = false;
   bool hand_down = false;  ///< a stroke is under way
 

@@ -5,11 +5,18 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <utility>
+
+#include "app/icons.h"
 
 namespace luminist {
 namespace {
 
 namespace fs = std::filesystem;
+
+std::string shown_name(const std::string& name, bool folder) {
+  return folder ? name + "/" : name;
+}
 
 }  // namespace
 
@@ -18,6 +25,7 @@ void FileDialog::open(FileWish wish, const fs::path& folder) {
   name_ = wish_.name;
   left_ = false;
   asked_.clear();
+  wants_focus_ = true;
   std::error_code error;
   go(fs::is_directory(folder, error) ? folder : fs::current_path(error));
 }
@@ -36,6 +44,7 @@ void FileDialog::go(const fs::path& folder) {
     return;
   }
   fault_.clear();
+  walked_ = -1;
   folder_ = absolute;
   entries_.clear();
   for (const fs::directory_entry& entry : all) {
@@ -72,9 +81,13 @@ bool FileDialog::list(const Theme& theme) {
   ImGui::PushStyleColor(ImGuiCol_ChildBg, ImGui::GetStyleColorVec4(ImGuiCol_FrameBg));
   ImGui::BeginChild("entries", {0.0F, theme.px(280.0F)});
   if (entries_.empty()) ImGui::TextDisabled("There is nothing here that fits.");
-  for (const Entry& entry : entries_) {
-    const std::string shown = entry.folder ? entry.name + "/" : entry.name;
-    if (ImGui::Selectable(shown.c_str(), !entry.folder && entry.name == name_, ImGuiSelectableFlags_AllowDoubleClick)) {
+  for (int i = 0; i < static_cast<int>(entries_.size()); ++i) {
+    const Entry& entry = entries_[static_cast<std::size_t>(i)];
+    const std::string shown = shown_name(entry.name, entry.folder);
+    const bool at = i == walked_ || (!entry.folder && entry.name == name_);
+    if (i == walked_ && std::exchange(scroll_, false)) ImGui::SetScrollHereY(0.5F);
+    if (ImGui::Selectable(shown.c_str(), at, ImGuiSelectableFlags_AllowDoubleClick)) {
+      wants_focus_ = true;
       if (entry.folder) {
         if (ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left)) next = entry.name;
       } else {
@@ -89,6 +102,53 @@ bool FileDialog::list(const Theme& theme) {
   return chosen;
 }
 
+void FileDialog::walk(int step) {
+  if (entries_.empty()) return;
+  walked_ = std::clamp(walked_ + step, 0, static_cast<int>(entries_.size()) - 1);
+  scroll_ = true;
+}
+
+std::string FileDialog::completed(const std::string& start) const {
+  for (const Entry& entry : entries_) {
+    if (entry.name.starts_with(start)) return shown_name(entry.name, entry.folder);
+  }
+  return "";
+}
+
+/// Arrows and Tab in the field of the name.
+int FileDialog::edit_name(ImGuiInputTextCallbackData* data) {
+  FileDialog& dialog = *static_cast<FileDialog*>(data->UserData);
+  std::string name;
+  if (data->EventFlag == ImGuiInputTextFlags_CallbackHistory) {
+    dialog.walk(data->EventKey == ImGuiKey_UpArrow ? -1 : 1);
+    if (dialog.walked_ < 0) return 0;
+    const Entry& entry = dialog.entries_[static_cast<std::size_t>(dialog.walked_)];
+    name = shown_name(entry.name, entry.folder);
+  } else {
+    name = dialog.completed(std::string(data->Buf, static_cast<std::size_t>(data->BufTextLen)));
+  }
+  if (name.empty()) return 0;
+  data->DeleteChars(0, data->BufTextLen);
+  data->InsertChars(0, name.c_str());
+  return 0;
+}
+
+/// returns whether Enter was pressed.
+bool FileDialog::name_field(const Theme& theme) {
+  ImGui::SetNextItemWidth(-theme.px(190.0F));
+  if (std::exchange(wants_focus_, false)) ImGui::SetKeyboardFocusHere();
+  const ImGuiInputTextFlags flags = ImGuiInputTextFlags_EnterReturnsTrue | ImGuiInputTextFlags_CallbackHistory |
+                                    ImGuiInputTextFlags_CallbackCompletion | ImGuiInputTextFlags_AutoSelectAll;
+  const bool entered = ImGui::InputText("##name", &name_, flags, edit_name, this);
+  tip(theme, "A name or a path. Arrows walk through the list, Tab completes, Enter opens, Alt+Up goes up.");
+  if (ImGui::GetIO().KeyAlt && ImGui::IsKeyPressed(ImGuiKey_UpArrow, false)) {
+    go(folder_.parent_path());
+    name_.clear();
+  }
+  if (entered) wants_focus_ = true;
+  return entered;
+}
+
 std::optional<fs::path> FileDialog::draw(const Theme& theme) {
   ImGui::PushFont(theme.strong);
   ImGui::TextUnformatted(wish_.title.c_str());
@@ -96,9 +156,7 @@ std::optional<fs::path> FileDialog::draw(const Theme& theme) {
   places(theme);
   bool chosen = list(theme);
   if (!fault_.empty()) ImGui::TextColored({0.87F, 0.43F, 0.38F, 1.0F}, "%s", fault_.c_str());
-  ImGui::SetNextItemWidth(-theme.px(190.0F));
-  if (ImGui::IsWindowAppearing() && wish_.new_name) ImGui::SetKeyboardFocusHere();
-  chosen |= ImGui::InputText("##name", &name_, ImGuiInputTextFlags_EnterReturnsTrue);
+  chosen |= name_field(theme);
   ImGui::SameLine();
   chosen |= ImGui::Button(wish_.button.c_str(), {theme.px(86.0F), 0.0F});
   ImGui::SameLine();

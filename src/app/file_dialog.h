@@ -19,6 +19,7 @@ struct FileWish {
   bool folders = false;                 ///< a folder is wanted, and no file
 };
 
+/// By mouse, or by keys alone: arrows walk through the list, Tab completes a name, Enter opens, Alt+Up goes up.
 class FileDialog {
  public:
   void open(FileWish wish, const std::filesystem::path& folder);
@@ -35,6 +36,11 @@ class FileDialog {
   void go(const std::filesystem::path& folder);
   void places(const Theme& theme);
   bool list(const Theme& theme);
+  bool name_field(const Theme& theme);
+  static int edit_name(ImGuiInputTextCallbackData* data);
+  void walk(int step);
+  /// The first name in the list that begins so; "" if there is none.
+  [[nodiscard]] std::string completed(const std::string& start) const;
   [[nodiscard]] bool wanted(const std::filesystem::path& path) const;
 
   FileWish wish_;
@@ -44,6 +50,9 @@ class FileDialog {
   std::string name_;
   std::filesystem::path asked_;  ///< what is there already, once the lighter was asked whether to replace it
   bool left_ = false;
+  int walked_ = -1;           ///< entry that the arrows are at
+  bool scroll_ = false;       ///< until it is in sight
+  bool wants_focus_ = false;  ///< the keys go to the name
 };
 
 }  // namespace luminist

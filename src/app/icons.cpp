@@ -128,9 +128,14 @@ void draw_icon(ImDrawList& list, Icon icon, const ImVec2& center, float size, Im
     case Icon::kPlus:
       pen.line(-0.6F, 0, 0.6F, 0), pen.line(0, -0.6F, 0, 0.6F);
       break;
-    case Icon::kTrash:
-      pen.line(-0.65F, -0.5F, 0.65F, -0.5F), pen.line(-0.2F, -0.75F, 0.2F, -0.75F);
-      pen.line(-0.5F, -0.5F, -0.4F, 0.75F), pen.line(0.5F, -0.5F, 0.4F, 0.75F), pen.line(-0.4F, 0.75F, 0.4F, 0.75F);
+    case Icon::kMore:
+      pen.disc(-0.6F, 0, 0.14F), pen.disc(0, 0, 0.14F), pen.disc(0.6F, 0, 0.14F);
+      break;
+    case Icon::kFolded:
+      pen.line(-0.2F, -0.45F, 0.25F, 0), pen.line(0.25F, 0, -0.2F, 0.45F);
+      break;
+    case Icon::kUnfolded:
+      pen.line(-0.45F, -0.2F, 0, 0.25F), pen.line(0, 0.25F, 0.45F, -0.2F);
       break;
     case Icon::kUp:
     case Icon::kDown: {
@@ -173,6 +178,15 @@ bool icon_button(const Theme& theme, const char* id, Icon icon, float size, bool
 void tip(const Theme& theme, const char* text) {
   constexpr float kWait = 0.5F;  // seconds that the pointer rests on an item
   if (*text == '\0' || !ImGui::IsItemHovered() || ImGui::GetCurrentContext()->HoveredIdTimer < kWait) return;
+  // Below the item, or above it in the lower half of the window: it must not cover what it explains.
+  const ImVec2 lo = ImGui::GetItemRectMin();
+  const ImVec2 hi = ImGui::GetItemRectMax();
+  const ImVec2 display = ImGui::GetIO().DisplaySize;
+  const bool low = lo.y > 0.6F * display.y;
+  const bool right = lo.x > 0.6F * display.x;
+  const float gap = theme.px(5.0F);
+  ImGui::SetNextWindowPos({right ? std::min(hi.x, display.x - gap) : lo.x, low ? lo.y - gap : hi.y + gap},
+                          ImGuiCond_Always, {right ? 1.0F : 0.0F, low ? 1.0F : 0.0F});
   ImGui::BeginTooltip();
   ImGui::PushTextWrapPos(theme.px(320.0F));
   ImGui::TextUnformatted(text);

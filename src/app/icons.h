@@ -30,6 +30,9 @@ enum class Icon {
   kUp,
   kDown,
   kMerge,
+  kMore,  ///< three dots: a menu
+  kFolded,
+  kUnfolded,
 };
 Icon icon_of(Tool tool);
 

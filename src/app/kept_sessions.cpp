@@ -1,9 +1,6 @@
 #include "app/kept_sessions.h"
 
-#include <signal.h>
-
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
 #include <chrono>
 #include <cstdlib>
@@ -13,6 +10,7 @@
 
 #include "base/files.h"
 #include "project/project.h"
+#include "project/project_lock.h"
 
 namespace luminist {
 namespace {
@@ -37,7 +35,7 @@ bool is_alive(const std::string& name) {
   int process = 0;
   const char* begin = name.data() + kStart.size();
   if (std::from_chars(begin, name.data() + name.size(), process).ec != std::errc() || process <= 0) return false;
-  return ::kill(process, 0) == 0 || errno == EPERM;
+  return process_runs(process);
 }
 
 std::string local_time(const fs::path& file) {

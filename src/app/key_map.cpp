@@ -45,6 +45,9 @@ std::vector<KeyBinding> usual() {
       {Deed::kKeep, GLFW_KEY_K, 0},
       {Deed::kOrbit, GLFW_KEY_V, 0},
       {Deed::kHidePanels, GLFW_KEY_TAB, 0},
+      {Deed::kHandles, GLFW_KEY_H, 0},
+      {Deed::kDragHighlight, GLFW_KEY_G, 0},
+      {Deed::kDragShadow, GLFW_KEY_G, kShift},
       {Deed::kKeys, GLFW_KEY_SLASH, kShift},
       {Deed::kKeys, GLFW_KEY_F12, 0},
   };
@@ -129,7 +132,7 @@ std::span<const KeyMap> key_maps() {
 }
 
 const char* name_of(Deed deed) {
-  static constexpr std::array<const char*, 35> names = {"",
+  static constexpr std::array<const char*, 38> names = {"",
                                                         "Undo",
                                                         "Redo",
                                                         "Open",
@@ -163,6 +166,9 @@ const char* name_of(Deed deed) {
                                                         "Picture at full size",
                                                         "These keys",
                                                         "Hide the panels",
+                                                        "Handles of barn and cutoffs",
+                                                        "Drag a highlight",
+                                                        "Drag a shadow's edge",
                                                         "Opacity in tenths"};
   return names[static_cast<std::size_t>(deed)];
 }

@@ -41,6 +41,9 @@ enum class Deed {
   kFullSize,
   kKeys,
   kHidePanels,
+  kHandles,
+  kDragHighlight,
+  kDragShadow,
   kOpacity,  ///< a digit: tenths
 };
 

@@ -63,8 +63,8 @@ void Layout::right_side(Desk& desk, const ScreenRect& rect) {
       ImGui::EndChild();
       ImGui::EndTabItem();
     };
-    tab("Lights", [&] { lights_panel(desk, widgets_); });
-    tab("Style", [&] { style_panel(desk, widgets_); });
+    tab("Lights", [&] { lights_.draw(desk, widgets_); });
+    tab("Style", [&] { style_.draw(desk, widgets_); });
     tab("Paint", [&] { strokes_.list(desk); });
     tab("Explore", [&] { explore_.draw(desk); });
     tab("History", [&] { history_panel(desk); });
@@ -104,7 +104,10 @@ void Layout::draw(Desk& desk, CanvasPanel& canvas, std::span<const HandEvent> ev
   if (desk.orbit && desk.has_shot()) {
     orbit_.draw(desk, middle, events);
   } else {
-    canvas.draw(desk, middle, events);
+    const std::vector<HandEvent> others = goal_picker_.take(desk, link_picker_.take(desk, events));
+    canvas.draw(desk, middle, others);
+    link_picker_.draw(desk);
+    goal_picker_.draw(desk);
   }
   begin("view", {{left, top}, {right, top + bar}}, ImGuiWindowFlags_NoScrollbar);
   if (desk.has_shot()) view_bar(desk);

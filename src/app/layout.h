@@ -3,9 +3,13 @@
 #include <span>
 
 #include "app/canvas_panel.h"
+#include "app/goal_picker.h"
+#include "app/lights_panel.h"
+#include "app/link_picker.h"
 #include "app/orbit_panel.h"
 #include "app/panels.h"
 #include "app/shots_panel.h"
+#include "app/style_panel.h"
 #include "app/tour.h"
 
 namespace luminist {
@@ -23,6 +27,10 @@ class Layout {
   float left_ = 232.0F;  ///< widths of the panels, in points
   float right_ = 336.0F;
   ParamWidgets widgets_;
+  LightsPanel lights_;
+  StylePanel style_;
+  LinkPicker link_picker_;
+  GoalPicker goal_picker_;
   ExplorePanel explore_;
   StrokePanel strokes_;
   OrbitPanel orbit_;

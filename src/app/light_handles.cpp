@@ -5,7 +5,7 @@
 namespace luminist {
 namespace {
 
-constexpr float kPrecise = 0.2F;
+constexpr float kPrecise = 0.1F;
 
 ImVec2 im(const Vec2& v) {
   return {v.x, v.y};
@@ -40,6 +40,7 @@ void LightHandles::look(const Desk& desk) {
   const Light* light = desk.now->shown->rig.find(light_);
   if (light == nullptr) return;
   pose_ = pose_of(*light);
+  shape_ = shape_of(*light);
   if (pose_) aim_ = aim_point(desk.now->facts->surface, *pose_);
 }
 
@@ -65,63 +66,99 @@ LightHandles::Part LightHandles::part_at(const Desk& desk, const Vec2& screen) c
   if (near(on_screen(desk, pose_->position))) return Part::kPlace;
   if (aim_ && pose_->direction && near(on_screen(desk, *aim_))) return Part::kAim;
   if (aim_ && glm::length(ball_center(desk) - screen) < ball_radius(desk) + desk.theme.px(4.0F)) return Part::kBall;
-  return Part::kNone;
+  return shape_at(desk, screen) ? Part::kShape : Part::kNone;
+}
+
+float LightHandles::reach(const Desk& desk) const {
+  return aim_ ? std::max(glm::length(*aim_ - pose_->position), 1e-3F) : 2.0F * desk.now->facts->frame.radius;
+}
+
+std::optional<ShapeHandle> LightHandles::shape_at(const Desk& desk, const Vec2& screen) const {
+  if (!desk.shape_handles) return std::nullopt;
+  return shape_handle_at(
+      desk.theme, [&](const Vec3& place) { return on_screen(desk, place); }, shape_handles(*pose_, shape_, reach(desk)),
+      screen);
 }
 
 bool LightHandles::press(Desk& desk, const Vec2& screen) {
   look(desk);
   part_ = part_at(desk, screen);
   last_ = screen;
-  wanted_ = screen;
+  wanted_ = taken_at_ = screen;
+  shape_before_ = shape_;
+  taken_ = part_ == Part::kShape ? shape_at(desk, screen) : std::nullopt;
   if (part_ == Part::kAim) wanted_ = *on_screen(desk, *aim_);
   if (part_ == Part::kBall) move(desk, screen, false);
   return held();
 }
 
+void LightHandles::move_aim(const Desk& desk) {
+  const Vec2 at = desk.view.to_picture(wanted_);
+  const SurfaceBuffer& surface = desk.now->facts->surface;
+  const int x = static_cast<int>(std::floor(at.x));
+  const int y = static_cast<int>(std::floor(at.y));
+  if (x < 0 || y < 0 || x >= surface.width || y >= surface.height) return;
+  const std::size_t pixel = surface.index(x, y);
+  if (surface.object[pixel] == 0) return;
+  aim_ = surface.position[pixel];
+  pose_ = aimed_at(*pose_, *aim_);
+}
+
+void LightHandles::move_ball(const Desk& desk) {
+  Vec2 flat = (wanted_ - ball_center(desk)) / ball_radius(desk);
+  const float length = glm::length(flat);
+  // Beyond the rim the dot comes round on the other side: a light behind.
+  const bool behind = length > 1.0F;
+  if (behind) flat *= std::max(0.0F, 2.0F - length) / length;
+  const float deep = std::sqrt(std::max(0.0F, 1.0F - glm::dot(flat, flat)));
+  const Vec3 way(flat.x, -flat.y, behind ? -deep : deep);
+  pose_ = moved_to(*pose_, place_at(desk.now->facts->camera, *aim_, pose_->position, way), aim_);
+}
+
+void LightHandles::move_shape(const Desk& desk) {
+  const Image& picture = desk.now->painted->color;
+  const Vec2 pixels = (wanted_ - taken_at_) / desk.view.zoom();
+  const auto length = slid(desk.now->facts->camera, taken_->at, taken_->way, pixels, picture.width, picture.height);
+  if (length) shape_ = dragged_shape(shape_before_, taken_->part, *length, reach(desk));
+}
+
 void LightHandles::move(Desk& desk, const Vec2& screen, bool precise) {
   if (!held()) return;
-  const ShotFacts& facts = *desk.now->facts;
   const Vec2 step = (precise ? kPrecise : 1.0F) * (screen - std::exchange(last_, screen));
   wanted_ += step;
   if (part_ == Part::kAim) {
-    const Vec2 at = desk.view.to_picture(wanted_);
-    const SurfaceBuffer& surface = facts.surface;
-    const int x = static_cast<int>(std::floor(at.x));
-    const int y = static_cast<int>(std::floor(at.y));
-    if (x < 0 || y < 0 || x >= surface.width || y >= surface.height) return;
-    const std::size_t pixel = surface.index(x, y);
-    if (surface.object[pixel] == 0) return;
-    aim_ = surface.position[pixel];
-    pose_ = aimed_at(*pose_, *aim_);
+    move_aim(desk);
   } else if (part_ == Part::kPlace) {
-    const Vec3 place = dragged(facts.camera, pose_->position, step / desk.view.zoom(), desk.now->painted->color.height);
+    const Vec3 place =
+        dragged(desk.now->facts->camera, pose_->position, step / desk.view.zoom(), desk.now->painted->color.height);
     pose_ = moved_to(*pose_, place, aim_);
+  } else if (part_ == Part::kBall) {
+    move_ball(desk);
   } else {
-    Vec2 flat = (wanted_ - ball_center(desk)) / ball_radius(desk);
-    const float length = glm::length(flat);
-    // Beyond the rim the dot comes round on the other side: a light behind.
-    const bool behind = length > 1.0F;
-    if (behind) flat *= std::max(0.0F, 2.0F - length) / length;
-    const float deep = std::sqrt(std::max(0.0F, 1.0F - glm::dot(flat, flat)));
-    const Vec3 way(flat.x, -flat.y, behind ? -deep : deep);
-    pose_ = moved_to(*pose_, place_at(facts.camera, *aim_, pose_->position, way), aim_);
+    move_shape(desk);
   }
   const Light* light = desk.now->shown->rig.find(light_);
-  if (light != nullptr) desk.studio->preview(pose_assignments(*light, *pose_));
+  if (light != nullptr) desk.studio->preview(assignments(*light));
+}
+
+std::vector<std::string> LightHandles::assignments(const Light& light) const {
+  return part_ == Part::kShape ? shape_assignments(light, shape_, shape_before_) : pose_assignments(light, *pose_);
 }
 
 void LightHandles::record(Desk& desk) {
   const Light* light = desk.now->shown->rig.find(light_);
   if (light == nullptr) return;
-  desk.studio->change("move a light", [assignments = pose_assignments(*light, *pose_)](Session& session) {
-    return session.set(assignments);
-  });
+  const std::vector<std::string> turned = assignments(*light);
+  if (turned.empty()) return;
+  const char* label = part_ == Part::kShape ? "shape a light" : "move a light";
+  desk.studio->change(label, [turned](Session& session) { return session.set(turned); });
   let_go_ = desk.now->version;
 }
 
 void LightHandles::release(Desk& desk) {
   if (held()) record(desk);
   part_ = Part::kNone;
+  taken_.reset();
 }
 
 bool LightHandles::scroll(Desk& desk, const Vec2& screen, float notches) {
@@ -159,6 +196,13 @@ void LightHandles::draw(Desk& desk) {
   if (aim) {
     knob(list, *aim, desk.theme.px(8.0F), paint_colors::kAccent, false);
     list.AddCircleFilled(im(*aim), desk.theme.px(2.0F), paint_colors::kAccent);
+  }
+  if (desk.shape_handles) {
+    const ImVec2 mouse = ImGui::GetIO().MousePos;
+    const auto pointed = taken_ && held() ? taken_ : shape_at(desk, {mouse.x, mouse.y});
+    draw_shape(
+        desk.theme, list, [&](const Vec3& at) { return on_screen(desk, at); }, *pose_, shape_, reach(desk),
+        pointed ? std::optional(pointed->part) : std::nullopt);
   }
   if (aim_) draw_ball(desk);
 }

@@ -6,47 +6,80 @@
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
+#include "rig/constraint.h"
+
 namespace luminist {
 namespace {
 
-constexpr std::size_t kDots = 9000;  // as many as an ordinary frame draws without being felt
+constexpr double kRest = 0.2;  // seconds after which the eye rests
+constexpr float kPrecise = 0.1F;
+constexpr float kQuickScale = 0.5F;  // of a picture that must come soon
 
 ImVec2 im(const Vec2& v) {
   return {v.x, v.y};
 }
 
-ImU32 shown(const Vec3& linear, int alpha) {
-  const auto code = [](float x) { return static_cast<int>(255.0F * srgb_from_linear(x) + 0.5F); };
-  return IM_COL32(code(linear.x), code(linear.y), code(linear.z), alpha);
+int scaled(float size, float scale) {
+  return std::max(16, static_cast<int>(size * scale));
 }
 
-Vec3 light_color(const Light& light) {
-  const auto param = light.params.schema().by_role("color");
-  const Vec3 color = param ? light.params.vec3(*param) : Vec3(1.0F);
-  return color / std::max({color.x, color.y, color.z, 1e-3F});
+/// The lights that are seen: those of the snapshot, but the muted and those that a solo leaves out.
+ParamState seen_lights(const Desk& desk, const std::vector<std::string>& turned) {
+  ParamState state = *desk.now->shown;
+  for (const std::string& assignment : turned) static_cast<void>(set_path(state, assignment));
+  if (!turned.empty()) keep_constraints(state.rig);
+  for (Light& light : state.rig.lights)
+    light.muted = light.muted || (!desk.solo.empty() && !desk.solo.contains(light.name));
+  return state;
 }
 
 }  // namespace
 
-Camera OrbitEye::camera(float fov_y) const {
-  const Vec3 back(std::sin(turn) * std::cos(height), std::sin(height), std::cos(turn) * std::cos(height));
-  const Vec3 right(std::cos(turn), 0.0F, -std::sin(turn));
-  Camera camera;
-  camera.fov_y = fov_y;
-  camera.near_plane = 0.001F * distance;
-  camera.world_from_camera = Mat4(Vec4(right, 0.0F), Vec4(glm::cross(back, right), 0.0F), Vec4(back, 0.0F),
-                                  Vec4(center + distance * back, 1.0F));
-  return camera;
+void OrbitPanel::begin(Desk& desk) {
+  lit_.take(desk);
+  if (lit_.solid() && lit_.solid() != solid_.solid()) {
+    if (auto loaded = solid_.load(desk.roots, lit_.solid()); !loaded) {
+      desk.tell(StudioMessage::Kind::kError, loaded.error().message());
+    }
+    floor_ = std::numeric_limits<float>::infinity();
+    for (const Vec3& place : lit_.solid()->positions) floor_ = std::min(floor_, place.y);
+    moved_ = desk.time;
+  }
+  if (facts_ != desk.now->facts) {
+    const bool same_scene = facts_ && facts_->shot.scene == desk.now->facts->shot.scene;
+    facts_ = desk.now->facts;
+    lit_.forget();
+    if (!same_scene) {
+      const SceneFrame& frame = facts_->frame;
+      eye_ = orbit_from(facts_->camera, frame.center);
+      eye_.turn += 0.7F;
+      eye_.height = 0.45F;
+      eye_.distance = 10.0F * frame.radius;
+      eye_.center = frame.center;
+    }
+  }
+  if (!lit_.solid()) lit_.ask_solid(desk);
 }
 
-void OrbitPanel::begin(const Desk& desk) {
-  if (facts_ == desk.now->facts) return;
-  const bool same_scene = facts_ && facts_->shot.scene == desk.now->facts->shot.scene;
-  facts_ = desk.now->facts;
-  if (same_scene) return;
-  const SceneFrame& frame = facts_->frame;
-  const Vec3 back = facts_->camera.position() - frame.center;
-  eye_ = {frame.center, std::atan2(back.x, back.z) + 0.7F, 0.45F, 7.0F * frame.radius};
+/// Reads the selected light, unless the hand holds it.
+void OrbitPanel::look(const Desk& desk) {
+  if (on_light()) return;
+  const bool under_way = desk.now->version <= let_go_ || !desk.activity.label.empty() || desk.activity.waiting > 0;
+  if (let_go_ != 0 && under_way && light_ == desk.selected) return;
+  let_go_ = 0;
+  if (seen_ == desk.now->shown && light_ == desk.selected) return;
+  seen_ = desk.now->shown;
+  light_ = desk.selected;
+  const Light* light = desk.now->shown->rig.find(light_);
+  const auto pose = light != nullptr ? pose_of(*light) : std::nullopt;
+  const bool moved = !pose || !pose_ || pose->position != pose_->position || pose->direction != pose_->direction;
+  pose_ = pose;
+  shape_ = light != nullptr ? shape_of(*light) : LightShape{};
+  if (moved) aim_ = pose_ ? aim_point(facts_->surface, *pose_) : std::nullopt;
+}
+
+float OrbitPanel::reach() const {
+  return aim_ ? std::max(glm::length(*aim_ - pose_->position), 1e-3F) : 2.0F * facts_->frame.radius;
 }
 
 std::optional<Vec2> OrbitPanel::on_screen(const ScreenRect& rect, const Vec3& point) const {
@@ -55,105 +88,84 @@ std::optional<Vec2> OrbitPanel::on_screen(const ScreenRect& rect, const Vec3& po
   return rect.lo + *at;
 }
 
-void OrbitPanel::draw_surfaces(const Desk& desk, const ScreenRect& rect) const {
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  const SurfaceBuffer& surface = facts_->surface;
-  const Image& picture = *desk.now->picture;
-  const bool lit = picture.width == surface.width && picture.height == surface.height;
-  const std::size_t step = 1 + surface.pixels() / kDots;
-  const float dot = desk.theme.px(1.5F);
-  for (std::size_t i = 0; i < surface.pixels(); i += step) {
-    if (surface.object[i] == 0) continue;
-    const auto at = on_screen(rect, surface.position[i]);
-    if (!at || !rect.contains(*at)) continue;
-    const Vec3 color = glm::max(lit ? picture.rgb(i) : Vec3(0.0F), 0.08F * surface.albedo[i] + Vec3(0.01F));
-    list.AddRectFilled({at->x - dot, at->y - dot}, {at->x + dot, at->y + dot}, shown(color, 255));
+/// The handles of the selected light, then any light.
+bool OrbitPanel::take_handle(Desk& desk, const ScreenRect& rect, const Vec2& screen) {
+  const auto near = [&](const std::optional<Vec2>& at, float points) {
+    return at && glm::length(*at - screen) < desk.theme.px(points);
+  };
+  const auto to_screen = [&](const Vec3& place) { return on_screen(rect, place); };
+  taken_.reset();
+  if (pose_ && light_ == desk.selected && !near(on_screen(rect, pose_->position), 10.0F)) {
+    if (aim_ && pose_->direction && near(on_screen(rect, *aim_), 10.0F)) return grip_ = Grip::kAim, true;
+    if (desk.shape_handles)
+      taken_ = shape_handle_at(desk.theme, to_screen, shape_handles(*pose_, shape_, reach()), screen);
+    if (taken_) return grip_ = Grip::kShape, true;
   }
-}
-
-void OrbitPanel::draw_camera(const Desk& desk, const ScreenRect& rect) const {
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  const Camera& shot = facts_->camera;
-  const Shot& size = facts_->shot;
-  const float deep = 0.5F * facts_->frame.radius;
-  const float up = deep * std::tan(0.5F * shot.fov_y);
-  const float side = up * static_cast<float>(size.width) / static_cast<float>(size.height);
-  const auto eye = on_screen(rect, shot.position());
-  std::optional<Vec2> before;
-  for (int corner = 0; corner <= 4; ++corner) {
-    const float x = corner % 4 == 0 || corner % 4 == 3 ? -side : side;
-    const float y = corner % 4 < 2 ? up : -up;
-    const auto at = on_screen(rect, Vec3(shot.world_from_camera * Vec4(x, y, -deep, 1.0F)));
-    if (eye && at) list.AddLine(im(*eye), im(*at), paint_colors::kFaint, 1.0F);
-    if (before && at) list.AddLine(im(*before), im(*at), paint_colors::kFaint, 1.0F);
-    before = at;
-  }
-  if (eye) list.AddText({eye->x + desk.theme.px(6.0F), eye->y}, paint_colors::kDim, "camera");
-}
-
-void OrbitPanel::draw_light(const Desk& desk, const ScreenRect& rect, const Light& light) const {
-  const bool selected = light.name == desk.selected;
-  const auto pose = selected && held_ ? held_ : pose_of(light);
-  const auto at = pose ? on_screen(rect, pose->position) : std::nullopt;
-  if (!at) return;
-  ImDrawList& list = *ImGui::GetWindowDrawList();
-  const ImU32 color = light.muted ? paint_colors::kFaint : shown(light_color(light), 255);
-  if (pose->direction) {
-    // The opening at the light's distance from what it shines at, as an ellipse of the barn.
-    const auto shape = light.params.schema().by_role("shape");
-    const auto aim = aim_point(facts_->surface, *pose);
-    const float reach = aim ? glm::length(*aim - pose->position) : 2.0F * facts_->frame.radius;
-    Vec3 across;
-    Vec3 along;
-    tangent_frame(*pose->direction, across, along);
-    const float wide = shape ? reach * std::max(0.02F, light.params.vec3(*shape).x) : 0.1F * reach;
-    const float high = shape ? reach * std::max(0.02F, light.params.vec3(*shape).y) : 0.1F * reach;
-    std::optional<Vec2> before;
-    for (int i = 0; i <= 24; ++i) {
-      const float a = 0.261799F * static_cast<float>(i);
-      const Vec3 rim =
-          pose->position + reach * *pose->direction + wide * std::cos(a) * across + high * std::sin(a) * along;
-      const auto on = on_screen(rect, rim);
-      if (on && i % 6 == 0) list.AddLine(im(*at), im(*on), (color & 0x00FFFFFFU) | 0x60000000U, 1.0F);
-      if (on && before) list.AddLine(im(*before), im(*on), (color & 0x00FFFFFFU) | 0xA0000000U, 1.0F);
-      before = on;
-    }
-  }
-  const float radius = desk.theme.px(selected ? 8.0F : 6.0F);
-  list.AddCircleFilled(im(*at), radius, color, 24);
-  list.AddCircle(im(*at), radius + 1.0F, selected ? paint_colors::kAccent : IM_COL32(0, 0, 0, 200), 24, 2.0F);
-  list.AddText({at->x + 1.6F * radius, at->y - radius}, selected ? paint_colors::kAccent : paint_colors::kText,
-               light.name.c_str());
-}
-
-void OrbitPanel::choose(Desk& desk, const ScreenRect& rect, const Vec2& screen) {
-  const float reach = desk.theme.px(12.0F);
   for (const Light& light : desk.now->shown->rig.lights) {
-    const auto pose = pose_of(light);
-    const auto at = pose ? on_screen(rect, pose->position) : std::nullopt;
-    if (!at || glm::length(*at - screen) > reach) continue;
+    const bool held = light.name == light_ && pose_;
+    const auto pose = held ? pose_ : pose_of(light);
+    if (!pose || !near(on_screen(rect, pose->position), 12.0F)) continue;
     desk.selected = light.name;
-    held_ = pose;
-    aim_ = aim_point(facts_->surface, *pose);
-    grip_ = Grip::kLight;
+    look(desk);
+    return grip_ = Grip::kLight, true;
+  }
+  return false;
+}
+
+void OrbitPanel::press(Desk& desk, const ScreenRect& rect, const HandEvent& event) {
+  wanted_ = taken_at_ = event.at;
+  if (event.button == GLFW_MOUSE_BUTTON_LEFT && take_handle(desk, rect, event.at)) {
+    pose_before_ = *pose_;
+    shape_before_ = shape_;
+    if (grip_ == Grip::kAim) wanted_ = *on_screen(rect, *aim_);
     return;
   }
-  grip_ = Grip::kTurn;
+  const bool pans = event.button == GLFW_MOUSE_BUTTON_MIDDLE || event.mods == GLFW_MOD_SHIFT || desk.space_down;
+  grip_ = pans ? Grip::kPan : Grip::kTurn;
 }
 
-void OrbitPanel::move(Desk& desk, const ScreenRect& rect, const Vec2& step) {
-  if (grip_ == Grip::kTurn) {
-    constexpr float kTurnPerPixel = 0.008F;
-    eye_.turn -= kTurnPerPixel * step.x;
-    eye_.height = std::clamp(eye_.height + kTurnPerPixel * step.y, -1.5F, 1.5F);
-  } else if (grip_ == Grip::kPan) {
-    eye_.center = dragged(camera_, eye_.center, -step, static_cast<int>(rect.size().y));
-  } else if (grip_ == Grip::kLight && held_) {
-    const Light* light = desk.now->shown->rig.find(desk.selected);
-    if (light == nullptr) return;
-    held_ = moved_to(*held_, dragged(camera_, held_->position, step, static_cast<int>(rect.size().y)), aim_);
-    desk.studio->preview(pose_assignments(*light, *held_));
+void OrbitPanel::move(const Desk& desk, const ScreenRect& rect, const HandEvent& event, const Vec2& step) {
+  const int width = static_cast<int>(rect.size().x);
+  const int height = static_cast<int>(rect.size().y);
+  if (grip_ == Grip::kTurn || grip_ == Grip::kPan) {
+    moved_ = desk.time;
+    if (grip_ == Grip::kTurn) eye_.turn_by(step);
+    if (grip_ == Grip::kPan) eye_.pan_by(step, facts_->camera.fov_y, height);
+    return;
   }
+  if (!on_light() || !pose_) return;
+  const Vec2 taken = (event.mods == GLFW_MOD_SHIFT ? kPrecise : 1.0F) * step;
+  wanted_ += taken;
+  if (grip_ == Grip::kLight) {
+    pose_ = moved_to(*pose_, dragged(camera_, pose_->position, taken, height), aim_);
+  } else if (grip_ == Grip::kAim && lit_.solid()) {
+    const Vec3 way = way_through(camera_, rect, wanted_);
+    const auto distance = first_hit(*lit_.solid(), camera_.position(), way);
+    if (distance) aim_ = camera_.position() + *distance * way, pose_ = aimed_at(*pose_, *aim_);
+  } else if (taken_) {
+    const auto length = slid(camera_, taken_->at, taken_->way, wanted_ - taken_at_, width, height);
+    if (length) shape_ = dragged_shape(shape_before_, taken_->part, *length, reach());
+  }
+}
+
+std::vector<std::string> OrbitPanel::assignments(const Light& light) const {
+  if (grip_ == Grip::kShape) return shape_assignments(light, shape_, shape_before_);
+  const bool moved = pose_->position != pose_before_.position || pose_->direction != pose_before_.direction;
+  return moved ? pose_assignments(light, *pose_) : std::vector<std::string>{};
+}
+
+void OrbitPanel::release(Desk& desk) {
+  const Light* light = desk.now->shown->rig.find(light_);
+  if (on_light() && light != nullptr && pose_) {
+    const std::vector<std::string> turned = assignments(*light);
+    const char* label = grip_ == Grip::kShape ? "shape a light" : "move a light";
+    if (!turned.empty()) {
+      desk.studio->change(label, [turned](Session& session) { return session.set(turned); });
+      let_go_ = desk.now->version;
+    }
+  }
+  taken_.reset();
+  grip_ = Grip::kNone;
 }
 
 void OrbitPanel::take(Desk& desk, const ScreenRect& rect, const HandEvent& event, bool hovered) {
@@ -161,31 +173,35 @@ void OrbitPanel::take(Desk& desk, const ScreenRect& rect, const HandEvent& event
   const Vec2 step = event.at - std::exchange(last_, event.at);
   switch (event.kind) {
     case HandEvent::Kind::kMove:
-      return move(desk, rect, step);
+      return move(desk, rect, event, step);
     case HandEvent::Kind::kPress:
-      if (!inside) return;
-      if (event.button == GLFW_MOUSE_BUTTON_MIDDLE || event.mods == GLFW_MOD_SHIFT) {
-        grip_ = Grip::kPan;
-      } else {
-        choose(desk, rect, event.at);
-      }
+      if (inside && grip_ == Grip::kNone) press(desk, rect, event);
       return;
-    case HandEvent::Kind::kRelease: {
-      const Light* light = desk.now->shown->rig.find(desk.selected);
-      const auto pose = light != nullptr ? pose_of(*light) : std::nullopt;
-      if (grip_ == Grip::kLight && held_ && pose && pose->position != held_->position) {
-        desk.studio->change("move a light", [assignments = pose_assignments(*light, *held_)](Session& session) {
-          return session.set(assignments);
-        });
-      }
-      held_.reset();
-      grip_ = Grip::kNone;
-      return;
-    }
+    case HandEvent::Kind::kRelease:
+      return release(desk);
     case HandEvent::Kind::kScroll:
-      if (inside) eye_.distance *= std::pow(1.1F, -event.scroll);
+      if (!inside) return;
+      eye_.come_nearer(event.scroll);
+      moved_ = desk.time;
       return;
   }
+}
+
+/// Asks for the picture that is wanted now: small ones while a light is under the hand, first a small one and then a
+/// large one where the processor draws.
+void OrbitPanel::light_up(Desk& desk, const ScreenRect& rect) {
+  const bool rests = desk.time - moved_ > kRest && grip_ != Grip::kTurn && grip_ != Grip::kPan;
+  if (!rests || solid_.empty() || lit_.waits()) return;
+  const Light* light = on_light() || let_go_ != 0 ? desk.now->shown->rig.find(light_) : nullptr;
+  const std::vector<std::string> turned = light != nullptr && pose_ ? assignments(*light) : std::vector<std::string>{};
+  const bool quick = on_light() || (desk.software && !lit_.shows(camera_));
+  const float scale = quick ? kQuickScale : 1.0F;
+  LitView::Wish wish;
+  wish.camera = camera_;
+  wish.width = scaled(rect.size().x, scale);
+  wish.height = scaled(rect.size().y, scale);
+  wish.lights = std::make_shared<const ParamState>(seen_lights(desk, turned));
+  lit_.ask(desk, std::move(wish));
 }
 
 void OrbitPanel::draw(Desk& desk, const ScreenRect& rect, std::span<const HandEvent> events) {
@@ -198,17 +214,22 @@ void OrbitPanel::draw(Desk& desk, const ScreenRect& rect, std::span<const HandEv
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoBringToFrontOnFocus);
   ImGui::PopStyleColor();
   ImGui::PopStyleVar();
+  const ImVec2 corner = ImGui::GetCursorPos();
   ImGui::InvisibleButton("hand", im(rect.size()));
+  ImGui::SetItemAllowOverlap();
   const bool hovered = ImGui::IsItemHovered() || ImGui::IsItemActive();
+  ImGui::SetCursorPos(corner);
+  look(desk);
   camera_ = eye_.camera(facts_->camera.fov_y);
-  for (const HandEvent& event : events) take(desk, rect, event, hovered);
-  camera_ = eye_.camera(facts_->camera.fov_y);
+  for (const HandEvent& event : events) {
+    take(desk, rect, event, hovered);
+    camera_ = eye_.camera(facts_->camera.fov_y);
+  }
+  light_up(desk, rect);
   draw_surfaces(desk, rect);
-  draw_camera(desk, rect);
+  draw_camera(rect);
   for (const Light& light : desk.now->shown->rig.lights) draw_light(desk, rect, light);
-  ImGui::GetWindowDrawList()->AddText({rect.lo.x + desk.theme.px(12.0F), rect.lo.y + desk.theme.px(10.0F)},
-                                      paint_colors::kDim,
-                                      "Drag: turn.  Shift+drag: move.  Wheel: nearer.  Drag a light to move it.");
+  draw_words(desk, rect);
   ImGui::End();
 }
 

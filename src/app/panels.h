@@ -10,9 +10,6 @@ namespace luminist {
 void tool_strip(Desk& desk);
 /// The tool's settings, colours, importance.
 void brush_panel(Desk& desk);
-/// Lights as a list, and the parameters of the one that is selected.
-void lights_panel(Desk& desk, ParamWidgets& widgets);
-void style_panel(Desk& desk, ParamWidgets& widgets);
 void history_panel(Desk& desk);
 /// What becomes of the paint: always in sight.
 void solve_panel(Desk& desk);

@@ -6,12 +6,15 @@
 #include <fmt/format.h>
 
 #include "app/icons.h"
+#include "app/value_slider.h"
 #include "params/param_text.h"
 
 namespace luminist {
 namespace {
 
 constexpr float kDegrees = 57.29578F;
+constexpr float kLockGap = 4.0F;      // points between a lock and a name
+constexpr float kWidgetsAt = 146.0F;  // points from the left border
 
 /// The widget's numbers of a parameter: declared units; a direction as turn and height in degrees.
 std::array<float, 3> widget_values(const ParamBlock& block, int param, const SceneFrame& frame) {
@@ -57,7 +60,7 @@ ColorEdit slider(const char* id, float& value, float least, float most, const ch
   ImGui::SetNextItemWidth(width);
   const ImGuiSliderFlags flags =
       ImGuiSliderFlags_AlwaysClamp | (logarithmic ? ImGuiSliderFlags_Logarithmic : ImGuiSliderFlags_None);
-  return edited(ImGui::SliderFloat(id, &value, least, most, format, flags));
+  return edited(value_slider(id, &value, least, most, format, flags));
 }
 
 ColorEdit numbers(const ParamSpec& spec, std::array<float, 3>& values, float width) {
@@ -138,6 +141,16 @@ ColorEdit color_field(const Theme& theme, const char* id, Vec3& color, float mos
   return {edit.changed || power.changed, edit.done || power.done};
 }
 
+void row_label(const Theme& theme, const char* name, const char* words) {
+  const float side = ImGui::GetFrameHeight();
+  ImGui::Dummy({side, side});
+  ImGui::SameLine(0.0F, theme.px(kLockGap));
+  ImGui::AlignTextToFramePadding();
+  ImGui::TextUnformatted(name);
+  tip(theme, words);
+  ImGui::SameLine(theme.px(kWidgetsAt));
+}
+
 void lock_button(Desk& desk, const char* id, int locked, int all, const std::vector<std::string>& patterns,
                  float size) {
   const Icon icon = locked == 0 ? Icon::kOpen : locked == all ? Icon::kLocked : Icon::kPartly;
@@ -189,8 +202,8 @@ ColorEdit ParamWidgets::widget(const Desk& desk, const ParamSpec& spec, Values& 
     case ParamType::kInt: {
       int value = static_cast<int>(std::lround(values[0]));
       ImGui::SetNextItemWidth(width);
-      const bool changed = ImGui::SliderInt("##int", &value, static_cast<int>(spec.range_min[0]),
-                                            static_cast<int>(spec.range_max[0]), "%d", ImGuiSliderFlags_AlwaysClamp);
+      const bool changed = value_slider("##int", &value, static_cast<int>(spec.range_min[0]),
+                                        static_cast<int>(spec.range_max[0]), "%d", ImGuiSliderFlags_AlwaysClamp);
       values[0] = static_cast<float>(value);
       return edited(changed);
     }
@@ -226,11 +239,11 @@ void ParamWidgets::row(Desk& desk, const ParamBlock& block, int param, const std
   } else {
     ImGui::Dummy({side, side});
   }
-  ImGui::SameLine(0.0F, theme.px(4.0F));
+  ImGui::SameLine(0.0F, theme.px(kLockGap));
   ImGui::AlignTextToFramePadding();
   ImGui::TextUnformatted(title(spec.name).c_str());
   tip(theme, tip_of(spec).c_str());
-  ImGui::SameLine(theme.px(146.0F));
+  ImGui::SameLine(theme.px(kWidgetsAt));
   Values values = held_ == full ? held_values_ : widget_values(block, param, desk.now->facts->frame);
   const bool follows = spec.dofs() > 0 && block.following(spec.first_dof);
   if (follows) {
@@ -243,6 +256,10 @@ void ParamWidgets::row(Desk& desk, const ParamBlock& block, int param, const std
 }
 
 void ParamWidgets::draw(Desk& desk, const ParamBlock& block, const std::string& path) {
+  draw(desk, block, path, [](const ParamSpec&) { return true; });
+}
+
+void ParamWidgets::draw(Desk& desk, const ParamBlock& block, const std::string& path, const Filter& filter) {
   // What was let go is held until a later snapshot, with nothing left to do, shows it.
   if (let_go_ != 0 && desk.now->version > let_go_ && desk.activity.label.empty() && desk.activity.waiting == 0) {
     held_.clear();
@@ -252,6 +269,7 @@ void ParamWidgets::draw(Desk& desk, const ParamBlock& block, const std::string& 
   std::string group;
   for (int param = 0; param < block.schema().size(); ++param) {
     const ParamSpec& spec = block.schema()[param];
+    if (!filter(spec)) continue;
     if (spec.group != group) {
       group = spec.group;
       ImGui::PushFont(desk.theme.small);

@@ -1,6 +1,7 @@
 #pragma once
 // app/param_widgets.h -- a widget for every parameter, made from its declaration.
 #include <array>
+#include <functional>
 #include <string>
 
 #include "app/desk.h"
@@ -22,6 +23,9 @@ class ParamWidgets {
   /// Every parameter of a block under headings of its groups: lock, name, widget; the tooltip is the declaration's.
   /// path: "lights/key", "ambient", "style". What is turned is shown at once and recorded when the hand lets go.
   void draw(Desk& desk, const ParamBlock& block, const std::string& path);
+  /// Only some of them.
+  using Filter = std::function<bool(const ParamSpec&)>;
+  void draw(Desk& desk, const ParamBlock& block, const std::string& path, const Filter& filter);
 
  private:
   using Values = std::array<float, 3>;  ///< in the units of the declaration
@@ -33,6 +37,9 @@ class ParamWidgets {
   Values held_values_{};
   std::uint64_t let_go_ = 0;  ///< version of the snapshot when the hand let go; 0: it holds
 };
+
+/// What stands left of a widget, in line with the parameters' names. The widget goes on behind it.
+void row_label(const Theme& theme, const char* name, const char* words);
 
 /// A lock that shows and turns all degrees of freedom that the patterns name.
 void lock_button(Desk& desk, const char* id, int locked, int all, const std::vector<std::string>& patterns, float size);

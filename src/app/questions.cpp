@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "studio/results.h"
+#include "app/icons.h"
 
 namespace luminist {
 namespace {
@@ -25,13 +25,13 @@ FileWish wish_for(const Desk& desk) {
     case Question::kImage:
       return {"An image to copy from", "Choose", {".exr", ".png", ".jpg", ".hdr", ".tif"}, false, "", false};
     default:
-      return {"Export pictures, rig and style into a folder", "Export", {}, true, "export", true};
+      return {"Export into a folder", "Export", {}, true, "export", true};
   }
 }
 
 bool asks_for_file(Question question) {
   return question == Question::kOpen || question == Question::kSaveAs || question == Question::kImage ||
-         question == Question::kExport;
+         question == Question::kExportFolder;
 }
 
 }  // namespace
@@ -78,13 +78,52 @@ void Questions::answer(Desk& desk, const fs::path& path) {
       desk.box.brush().copy_from = path.string();
       break;
     default:
-      desk.studio->act("export", [path, studio = desk.studio](Session& session) -> Result<void> {
-        LUM_TRY(const Results results, collect_results(session));
-        LUM_TRY_VOID(write_results(results, path));
-        studio->tell({StudioMessage::Kind::kNote, "exported to " + path.string(), "", ""});
+      desk.studio->act("export", [path, choice = choice_, studio = desk.studio](Session& session) -> Result<void> {
+        const auto watch = [studio](const std::string& next, int done, int all) {
+          return studio->progress(fmt::format("export {} ({} of {}; Esc stops)", next, done + 1, all));
+        };
+        LUM_TRY(const auto files, export_pictures(session, choice, path, watch));
+        studio->tell(
+            {StudioMessage::Kind::kNote, fmt::format("{} files are in {}", files.size(), path.string()), "", ""});
         return {};
       });
   }
+}
+
+/// What is exported, before where to.
+void Questions::choose_export(Desk& desk) {
+  const Theme& theme = desk.theme;
+  const auto tick = [&](const char* label, bool& on, const char* words) {
+    ImGui::Checkbox(label, &on);
+    tip(theme, words);
+  };
+  ImGui::PushFont(theme.strong);
+  ImGui::TextUnformatted("Export");
+  ImGui::PopFont();
+  ImGui::Spacing();
+  ImGui::Columns(2, "what", false);
+  ImGui::TextDisabled("Pictures");
+  tick("The light", choice_.light, "The shot as it is lit now: of a proposal, while there is one.");
+  tick("The paint", choice_.paint, "What is painted, or what the last solve was for.");
+  tick("The residual", choice_.residual, "Where light and paint differ, as a heat map over its scale.");
+  tick("The importance", choice_.importance, "What counts most is black.");
+  tick("Each light alone", choice_.each_light,
+       "A picture for every light that is on, as solo shows it, and one without.");
+  ImGui::NextColumn();
+  ImGui::TextDisabled("Files");
+  tick("PNG", choice_.png, "As the screen shows it at exposure 0, 8 bits a channel.");
+  tick("EXR", choice_.exr, "Linear numbers, for compositing.");
+  tick("A contact sheet", choice_.sheet, "All of these pictures small and side by side: sheet.png.");
+  tick("Rig and style", choice_.rig, "rig.toml and style.json, with which the picture can be rendered again.");
+  ImGui::Columns(1);
+  ImGui::Spacing();
+  const bool pictures = choice_.light || choice_.paint || choice_.residual || choice_.importance || choice_.each_light;
+  const bool kinds = choice_.png || choice_.exr || choice_.sheet;
+  ImGui::BeginDisabled(!choice_.rig && !(pictures && kinds));
+  if (ImGui::Button("Choose a folder...", {theme.px(150.0F), 0.0F})) desk.ask(Question::kExportFolder);
+  ImGui::EndDisabled();
+  ImGui::SameLine();
+  if (ImGui::Button("Cancel", {theme.px(86.0F), 0.0F})) leave(desk);
 }
 
 void Questions::files(Desk& desk) {
@@ -184,7 +223,7 @@ void Questions::draw(Desk& desk) {
   if (!desk.question_asked) begin(desk);
   const ImVec2 center = ImGui::GetMainViewport()->GetCenter();
   ImGui::SetNextWindowPos(center, ImGuiCond_Always, {0.5F, 0.5F});
-  const bool small = desk.question == Question::kQuit;
+  const bool small = desk.question == Question::kQuit || desk.question == Question::kExport;
   ImGui::SetNextWindowSize({desk.theme.px(small ? 420.0F : 680.0F), 0.0F});
   if (!ImGui::BeginPopupModal("question", nullptr,
                               ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoResize)) {
@@ -196,6 +235,8 @@ void Questions::draw(Desk& desk) {
     quit(desk);
   } else if (desk.question == Question::kRecover) {
     recover(desk);
+  } else if (desk.question == Question::kExport) {
+    choose_export(desk);
   } else {
     files(desk);
   }

@@ -3,6 +3,7 @@
 #include "app/desk.h"
 #include "app/file_dialog.h"
 #include "app/kept_sessions.h"
+#include "studio/picture_export.h"
 
 namespace luminist {
 
@@ -19,10 +20,12 @@ class Questions {
   void keys(Desk& desk);
   void quit(Desk& desk);
   void recover(Desk& desk);
+  void choose_export(Desk& desk);
   void answer(Desk& desk, const std::filesystem::path& path);
 
   FileDialog dialog_;
   std::vector<KeptSession> kept_;
+  PictureChoice choice_;          ///< what is exported
   std::filesystem::path folder_;  ///< where files were chosen last
 };
 

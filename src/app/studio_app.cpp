@@ -7,6 +7,8 @@
 #include <atomic>
 #include <cstdlib>
 
+#include <imgui_internal.h>  // which popup is open
+
 #include "app/canvas_panel.h"
 #include "app/kept_sessions.h"
 #include "app/layout.h"
@@ -28,6 +30,7 @@ class StudioApp {
     desk_.studio = &studio_;
     desk_.roots = request.roots;
     desk_.theme = make_theme(window.scale());
+    desk_.software = window.software();
     desk_.now = studio_.latest();
   }
 
@@ -85,9 +88,24 @@ class StudioApp {
     title();
   }
 
+  /// Leaves the menu or list that is open on top of all; a field that is typed in takes Esc for itself first.
+  /// returns whether Esc has done its work.
+  static bool close_popup(bool typing) {
+    const ImGuiContext& context = *ImGui::GetCurrentContext();
+    const int open = context.OpenPopupStack.Size;
+    if (open == 0) return false;
+    const ImGuiWindow* top = context.OpenPopupStack[open - 1].Window;
+    if (top != nullptr && (top->Flags & ImGuiWindowFlags_Modal) != 0) return false;
+    if (!typing) ImGui::ClosePopupToLevel(open - 1, true);
+    return true;
+  }
+
   void key(const KeyPress& press, bool typing) {
     if (press.key == GLFW_KEY_ESCAPE) {
+      if (close_popup(typing)) return;
       if (desk_.question != Question::kNone) return questions_.leave(desk_);
+      if (!std::exchange(desk_.linking, "").empty()) return;
+      if (std::exchange(desk_.goal, DragGoal::kNone) != DragGoal::kNone) return;
       if (std::exchange(desk_.pick_clip, false) || canvas_.cancel_stroke(desk_)) return;
     }
     if (typing || desk_.question != Question::kNone || desk_.hand_down) return;

@@ -48,8 +48,8 @@ void set_colors(ImGuiStyle& style) {
   c[ImGuiCol_ScrollbarGrab] = grey(0.32F);
   c[ImGuiCol_ScrollbarGrabHovered] = c[ImGuiCol_ScrollbarGrabActive] = grey(0.42F);
   c[ImGuiCol_CheckMark] = accent;
-  c[ImGuiCol_SliderGrab] = grey(0.3F);
-  c[ImGuiCol_SliderGrabActive] = tint(0.55F);
+  c[ImGuiCol_SliderGrab] = grey(1.0F, 0.14F);  // digits are read through it
+  c[ImGuiCol_SliderGrabActive] = tint(0.4F);
   c[ImGuiCol_Button] = grey(0.25F);
   c[ImGuiCol_ButtonHovered] = grey(0.31F);
   c[ImGuiCol_ButtonActive] = grey(0.2F);

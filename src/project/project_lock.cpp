@@ -30,18 +30,26 @@ std::string host_name() {
   return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "unknown";
 }
 
-/// Field 22 of /proc/PID/stat, or -1 if there is no such process. Field 2 is in parentheses and may hold anything.
-long long start_of(long pid) {
+/// What /proc/PID/stat says of a process.
+struct ProcessFacts {
+  char state = 0;        ///< field 3; 0: there is no such process
+  long long start = -1;  ///< field 22
+  [[nodiscard]] bool runs() const { return state != 0 && state != 'Z' && state != 'X'; }
+};
+
+/// Field 2 is in parentheses and may hold anything.
+ProcessFacts facts_of(long pid) {
   std::ifstream file(fmt::format("/proc/{}/stat", pid));
   std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  ProcessFacts facts;
   const std::size_t name_end = text.rfind(')');
-  if (name_end == std::string::npos) return -1;
+  if (name_end == std::string::npos) return facts;
   std::istringstream fields(text.substr(name_end + 1));
+  fields >> facts.state;
   std::string skipped;
-  for (int field = 3; field < 22; ++field) fields >> skipped;
-  long long start = -1;
-  fields >> start;
-  return start;
+  for (int field = 4; field < 22; ++field) fields >> skipped;
+  fields >> facts.start;
+  return facts;
 }
 
 Holder read_holder(int fd) {
@@ -65,7 +73,7 @@ Error held(const std::filesystem::path& file, const Holder& holder, const std::s
 }
 
 Result<void> write_holder(int fd, const std::filesystem::path& file) {
-  const nlohmann::json json = {{"host", host_name()}, {"pid", ::getpid()}, {"start", start_of(::getpid())}};
+  const nlohmann::json json = {{"host", host_name()}, {"pid", ::getpid()}, {"start", facts_of(::getpid()).start}};
   const std::string text = json.dump() + "\n";
   if (::ftruncate(fd, 0) == 0 && ::pwrite(fd, text.data(), text.size(), 0) == static_cast<ssize_t>(text.size())) {
     return {};
@@ -75,6 +83,10 @@ Result<void> write_holder(int fd, const std::filesystem::path& file) {
 }
 
 }  // namespace
+
+bool process_runs(long pid) {
+  return facts_of(pid).runs();
+}
 
 Result<ProjectLock> ProjectLock::take(const std::filesystem::path& file) {
   ProjectLock lock(::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644));
@@ -90,7 +102,9 @@ Result<ProjectLock> ProjectLock::take(const std::filesystem::path& file) {
   const Holder holder = read_holder(lock.fd_);
   const bool elsewhere = !holder.host.empty() && holder.host != host_name();
   // The advisory lock was free, so a holder on this machine is dead, unless the file system ignores such locks.
-  const bool alive = !elsewhere && holder.pid > 0 && holder.pid != ::getpid() && start_of(holder.pid) == holder.start;
+  const ProcessFacts facts = facts_of(holder.pid);
+  const bool alive =
+      !elsewhere && holder.pid > 0 && holder.pid != ::getpid() && facts.runs() && facts.start == holder.start;
   if (elsewhere || alive) {
     ::close(std::exchange(lock.fd_, -1));
     return held(file, holder, "if that process has ended, delete the file \"lock\" in the project");

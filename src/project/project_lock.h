@@ -6,6 +6,9 @@
 
 namespace luminist {
 
+/// Whether a process of this machine is at work: a zombie, which ended and waits for its parent to hear of it, is not.
+bool process_runs(long pid);
+
 /// Holds NAME.lum/lock: the system's advisory lock decides between processes of one machine, the text in the file
 /// (host, process, its start time) tells who, and speaks for machines that share the folder without sharing locks.
 class ProjectLock {

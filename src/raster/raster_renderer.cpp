@@ -1,21 +1,12 @@
-#include "raster/raster_renderer.h"
+#include "raster/raster_impl.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
 #include <utility>
 #include <vector>
 
 #include "base/check.h"
-#include "raster/batch_evaluator.h"
-#include "raster/deep_framebuffer.h"
-#include "raster/mesh_buffers.h"
-#include "raster/metric_pass.h"
-#include "raster/outline_buffers.h"
-#include "raster/relight.h"
-#include "raster/shadow_maps.h"
-#include "rays/ray_scene.h"
 #include "render/metric.h"
 #include "rig/light_links.h"
 
@@ -25,156 +16,6 @@ namespace {
 constexpr double kMaxBadShare = 0.01;  // of a picture's pixels; more is the style's fault
 
 }  // namespace
-
-class RasterRenderer::Impl {
- public:
-  Impl(Device& device, const LightTypes& types, const Style& style, SceneFrame frame, MeshBuffers meshes)
-      : device_(&device), types_(&types), style_(style), frame_(frame), meshes_(std::move(meshes)) {}
-
-  Result<void> prepare(const Scene& scene, const Camera& camera, const AssetRoots& roots, int width, int height);
-  Result<void> change_style(const Style& style, const AssetRoots& roots);
-  /// The picture of the state in picture_. errors as render().
-  Result<void> draw(const ParamState& state, const RenderOptions& options);
-  Result<Image> read_picture() const;
-  Result<double> error(const ParamState& state, const Target& target, std::optional<std::span<const int>> moving);
-  Result<void> colors_at(const ParamState& state, std::span<const int> without, std::span<const std::uint32_t> pixels,
-                         std::span<Vec3> out);
-  Result<void> evaluate(std::span<const Candidate> candidates, const SampleSet& samples, const Softness& softness,
-                        std::span<Vec3> out);
-
-  [[nodiscard]] const SurfaceBuffer& surface() const { return ruled_ ? ruled_->surface : deep_->surface(); }
-  [[nodiscard]] const SceneFrame& frame() const { return frame_; }
-  [[nodiscard]] const Style& style() const { return style_; }
-  [[nodiscard]] const WorkCount& work() const { return work_; }
-
- private:
-  /// What one dispatch shades: lights (places in the rig, lit ones), with emission and ambient or without.
-  struct Layer {
-    std::vector<int> lights;
-    bool whole = true;
-  };
-  /// What a style with lines needs, to draw them again with another width.
-  struct Ruled {
-    SurfaceBuffer surface;  ///< without lines: brushes and rays do not see them
-    Scene scene;            ///< without meshes
-    Camera camera;
-    AssetRoots roots;
-    OutlineBuffers outlines;
-    std::optional<LineSpec> drawn;  ///< empty: none yet
-  };
-  Result<void> prepare_lines(const Scene& scene, const Camera& camera, const AssetRoots& roots);
-  /// The deep framebuffer gets the lines that these values of the style ask for.
-  Result<void> follow_lines(const ParamBlock& style);
-  Result<void> allocate_colors();
-  Result<void> update_shadows(const ParamState& state);
-  Result<void> shade(const ParamState& state, const RenderOptions& options);
-  /// The moving lights over the kept sum of the others.
-  Result<void> shade_moving(const ParamState& state, std::span<const int> moving);
-  Result<void> keep_still(const ParamState& state, const Layer& still);
-  /// All that a layer's colours depend on.
-  [[nodiscard]] std::vector<std::byte> key_of(const ParamState& state, const Layer& layer) const;
-  Result<void> run(const ParamState& state, const Layer& layer, bool shadows, const GlBuffer* below,
-                   const GlBuffer& colors);
-  Result<void> finish(const ParamState& state, bool shadows);
-  Result<void> resolve(const GlBuffer& colors);
-
-  Device* device_;
-  const LightTypes* types_;
-  Style style_;
-  SceneFrame frame_;
-  MeshBuffers meshes_;
-  std::optional<DeepFramebuffer> deep_;
-  std::optional<Ruled> ruled_;  ///< of a style with lines
-  std::optional<ShadowMaps> maps_;
-  std::optional<Relight> relight_;
-  std::optional<CandidateTable> table_;
-  std::optional<RayScene> rays_;
-  std::optional<BatchEvaluator> batch_;
-  std::optional<MetricPass> metric_;
-  Program resolve_program_;
-  GlBuffer colors_;   ///< vec4 [samples]
-  GlBuffer picture_;  ///< vec4 [pixels]
-  GlBuffer still_;    ///< vec4 [samples], what the lights add that do not move; empty until it is needed
-  std::vector<std::byte> still_key_;
-  std::vector<std::byte> picture_key_;  ///< of what picture_ shows, with shadows; empty if that is unknown
-  GlBuffer bad_;                        ///< uint, pixels that were not finite
-  WorkCount work_;
-};
-
-Result<void> RasterRenderer::Impl::prepare(const Scene& scene, const Camera& camera, const AssetRoots& roots, int width,
-                                           int height) {
-  LUM_TRY(deep_, DeepFramebuffer::create(*device_, roots, meshes_, scene, camera, width, height,
-                                         {.strokes = style_.strokes, .radius = frame_.radius, .lines = {}}));
-  if (!style_.ink_path.empty()) LUM_TRY_VOID(prepare_lines(scene, camera, roots));
-  LUM_TRY(maps_, ShadowMaps::create(*device_, roots, meshes_));
-  LUM_TRY(relight_, Relight::create(*device_, *types_, style_, roots));
-  table_ = relight_->make_table(surface().object_names);
-  LUM_TRY(rays_, RayScene::create(scene));
-  batch_.emplace(*device_, *relight_, *deep_, surface(), *types_, *rays_, meshes_.shadow_frame());
-  LUM_TRY(metric_, MetricPass::create(*device_, roots, deep_->pixel_count()));
-  std::vector<SourceChunk> chunks;
-  for (const char* file : {"shaders/raster/dispatch.glsl", "shaders/raster/resolve.comp"}) {
-    LUM_TRY(SourceChunk chunk, load_chunk(roots, file));
-    chunks.push_back(std::move(chunk));
-  }
-  LUM_TRY(resolve_program_, Program::compute(*device_, chunks, "resolve"));
-  resolve_program_.set("pixels", static_cast<unsigned>(deep_->pixel_count()));
-  const auto storage = [&](std::size_t bytes, const char* label) {
-    return GlBuffer::create(*device_, BufferUse::kStorage, bytes, label);
-  };
-  LUM_TRY_VOID(allocate_colors());
-  LUM_TRY(picture_, storage(deep_->pixel_count() * sizeof(Vec4), "picture"));
-  LUM_TRY(bad_, storage(sizeof(std::uint32_t), "pixels that are not finite"));
-  return device_->check_errors("prepare the renderer");
-}
-
-Result<void> RasterRenderer::Impl::change_style(const Style& style, const AssetRoots& roots) {
-  if (style.strokes != style_.strokes || style.ink_path.empty() != style_.ink_path.empty()) {
-    return Error{ErrorKind::kUsage, fmt::format("the style \"{}\" now needs the scene prepared otherwise", style.name),
-                 style.folder, "strokes, ink", "open the shot again"};
-  }
-  LUM_TRY(Relight relight, Relight::create(*device_, *types_, style, roots));
-  relight_ = std::move(relight);
-  style_ = style;
-  table_ = relight_->make_table(surface().object_names);
-  batch_.emplace(*device_, *relight_, *deep_, surface(), *types_, *rays_, meshes_.shadow_frame());
-  still_key_.clear();
-  picture_key_.clear();
-  return {};
-}
-
-Result<void> RasterRenderer::Impl::allocate_colors() {
-  LUM_TRY(colors_,
-          GlBuffer::create(*device_, BufferUse::kStorage, deep_->sample_count() * sizeof(Vec4), "sample colours"));
-  still_ = {};
-  still_key_.clear();
-  picture_key_.clear();
-  return {};
-}
-
-Result<void> RasterRenderer::Impl::prepare_lines(const Scene& scene, const Camera& camera, const AssetRoots& roots) {
-  LUM_TRY(OutlineBuffers outlines, OutlineBuffers::create(*device_, scene));
-  Scene without_meshes;
-  without_meshes.materials = scene.materials;
-  without_meshes.textures = scene.textures;
-  without_meshes.objects = scene.objects;
-  ruled_.emplace(Ruled{deep_->surface(), std::move(without_meshes), camera, roots, std::move(outlines), {}});
-  return {};
-}
-
-Result<void> RasterRenderer::Impl::follow_lines(const ParamBlock& style) {
-  if (!ruled_) return {};
-  const LineSpec spec = line_spec(style);
-  if (ruled_->drawn == spec) return {};
-  DeepExtras extras{.strokes = style_.strokes, .radius = frame_.radius, .lines = {}};
-  if (spec.any()) extras.lines = DeepLines{&ruled_->outlines, spec, frame_};
-  ruled_->drawn.reset();
-  LUM_TRY(deep_, DeepFramebuffer::create(*device_, ruled_->roots, meshes_, ruled_->scene, ruled_->camera,
-                                         deep_->width(), deep_->height(), extras));
-  LUM_TRY_VOID(allocate_colors());
-  ruled_->drawn = spec;
-  return {};
-}
 
 Result<void> RasterRenderer::Impl::run(const ParamState& state, const Layer& layer, bool shadows, const GlBuffer* below,
                                        const GlBuffer& colors) {
@@ -361,6 +202,11 @@ Result<std::unique_ptr<RasterRenderer>> RasterRenderer::create(Device& device, c
   auto impl = std::make_unique<Impl>(device, types, style, scene.frame(), std::move(meshes));
   LUM_TRY_VOID(impl->prepare(scene, camera, roots, width, height));
   return std::unique_ptr<RasterRenderer>(new RasterRenderer(std::move(impl)));
+}
+
+Result<void> RasterRenderer::look_from(const Scene& scene, const Camera& camera, const AssetRoots& roots, int width,
+                                       int height) {
+  return impl_->look_from(scene, camera, roots, width, height);
 }
 
 Result<void> RasterRenderer::change_style(const Style& style, const AssetRoots& roots) {

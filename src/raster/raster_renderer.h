@@ -20,6 +20,11 @@ class RasterRenderer final : public Renderer {
                                                         const AssetRoots& roots, int width, int height);
   ~RasterRenderer() override;
 
+  /// Looks at the scene that it was made of from another camera, in another size; what was prepared of the scene and
+  /// the style stays. errors those of create(); the renderer is of no use after one. cost a few passes over the
+  /// triangles.
+  Result<void> look_from(const Scene& scene, const Camera& camera, const AssetRoots& roots, int width, int height);
+
   /// Draws in another style, or a new version of it, from now on; states must have its parameters. What was prepared of
   /// the scene stays. errors those of create(), and kUsage for a style that needs the scene prepared otherwise
   /// (strokes, lines): nothing has changed then. cost compiling the style.

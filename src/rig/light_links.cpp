@@ -18,8 +18,9 @@ std::string nearest_hint(std::string_view word, const std::vector<std::string>& 
   return names.empty() ? "there are none" : fmt::format("there are: {}", fmt::join(names, ", "));
 }
 
-/// The lights of that name or group. errors kUsage if there are none.
-Result<std::vector<Light*>> named(LightRig& rig, std::string_view name) {
+}  // namespace
+
+Result<std::vector<Light*>> lights_named(LightRig& rig, std::string_view name) {
   const bool by_group = name.starts_with(kGroupPrefix);
   std::vector<Light*> found;
   std::vector<std::string> names;
@@ -32,8 +33,6 @@ Result<std::vector<Light*>> named(LightRig& rig, std::string_view name) {
   return Error{ErrorKind::kUsage, fmt::format("there is no light \"{}\"", name), "", "light",
                nearest_hint(name, names)};
 }
-
-}  // namespace
 
 bool lights_object(const Light& light, std::string_view object) {
   return light.objects.empty() ||
@@ -78,7 +77,7 @@ Result<void> check_links(const LightRig& rig, std::span<const std::string> objec
 
 Result<void> link_light(LightRig& rig, std::string_view name, const std::vector<std::string>& patterns,
                         std::span<const std::string> objects) {
-  LUM_TRY(const std::vector<Light*> lights, named(rig, name));
+  LUM_TRY(const std::vector<Light*> lights, lights_named(rig, name));
   LightRig linked = rig;
   const bool all = patterns.size() == 1 && patterns.front() == "*";
   for (const Light* light : lights) linked.find(light->name)->objects = all ? std::vector<std::string>{} : patterns;

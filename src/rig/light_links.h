@@ -12,6 +12,10 @@ namespace luminist {
 /// Lights of this group are an object's key before others.
 inline constexpr std::string_view kKeyGroup = "key";
 
+/// The light of that name, or with "group:NAME" all lights of that group, in rig order; pointers into the rig.
+/// errors kUsage if there are none (nearest name).
+Result<std::vector<Light*>> lights_named(LightRig& rig, std::string_view name);
+
 /// Whether a light lights an object: it has no patterns, or one that matches. Shadows are not linked: an object that a
 /// light does not light still stands in its way.
 bool lights_object(const Light& light, std::string_view object);

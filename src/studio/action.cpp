@@ -125,6 +125,17 @@ Result<std::optional<std::pair<int, int>>> Action::size(const char* field) const
   return std::optional(std::pair(value[0].get<int>(), value[1].get<int>()));
 }
 
+Result<std::vector<double>> Action::numbers(const char* field, std::size_t count) const {
+  const std::string wanted = fmt::format("{} numbers are wanted", count);
+  if (!has(field) || !(*json_)[field].is_array() || (*json_)[field].size() != count) return wrong(wanted, field);
+  std::vector<double> values;
+  for (const Json& value : (*json_)[field]) {
+    if (!value.is_number()) return wrong(wanted, field);
+    values.push_back(value.get<double>());
+  }
+  return values;
+}
+
 std::optional<std::string> Action::object(const char* field) const {
   if (!has(field) || !(*json_)[field].is_object()) return std::nullopt;
   return (*json_)[field].dump();

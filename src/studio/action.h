@@ -35,6 +35,8 @@ class Action {
   /// A string, or an array of strings.
   [[nodiscard]] Result<std::vector<std::string>> texts(const char* field) const;
   [[nodiscard]] Result<std::vector<double>> numbers(const char* field) const;  ///< an array of numbers
+  /// An array of so many numbers.
+  [[nodiscard]] Result<std::vector<double>> numbers(const char* field, std::size_t count) const;
   /// [width, height].
   [[nodiscard]] Result<std::optional<std::pair<int, int>>> size(const char* field) const;
   /// The same, and kBadContent if it is missing.

@@ -10,7 +10,6 @@
 #include "image_io/image_io.h"
 #include "paint/stroke.h"
 #include "studio/constraint_words.h"
-#include "studio/light_kinds.h"
 #include "studio/paint_layers.h"
 #include "studio/script_runner.h"
 
@@ -38,10 +37,14 @@ const std::vector<ScriptRunner::Verb>& ScriptRunner::verbs() {
       {"add_light", {"type", "name", "group", "from_paint", "lock_others", "dark", "count"}, &R::add_light},
       {"remove_light", {"light"}, &R::remove_light},
       {"mute", {"light", "muted"}, &R::mute},
+      {"rename_light", {"light", "name"}, &R::rename_light},
+      {"duplicate_light", {"light", "name"}, &R::duplicate_light},
+      {"group_lights", {"lights", "group"}, &R::group_lights},
       {"link_light", {"light", "objects"}, &R::link_light},
       {"share_shadows", {"light"}, &R::share_shadows},
       {"load_rig", {"rig"}, &R::load_rig},
       {"style", {"name"}, &R::style},
+      {"reframe", {"camera", "size"}, &R::reframe},
       {"go_to", {"frame"}, &R::go_to},
       {"key", {"pattern", "interpolation"}, &R::key},
       {"remove_key", {"pattern", "frame"}, &R::key},
@@ -54,6 +57,8 @@ const std::vector<ScriptRunner::Verb>& ScriptRunner::verbs() {
       {"edit_stroke", stroke_fields(), &R::edit_stroke},
       {"move_stroke", {"stroke", "by", "layer", "place"}, &R::move_stroke},
       {"delete_stroke", {"stroke"}, &R::delete_stroke},
+      {"drag_highlight", {"from", "to", "light", "solver", "seed", "max_evals", "until", "restarts"}, &R::drag},
+      {"drag_shadow", {"from", "to", "light", "solver", "seed", "max_evals", "until", "restarts"}, &R::drag},
       {"importance", {"nu", "delta"}, &R::importance},
       {"target", {"image", "importance"}, &R::target},
       {"clear_paint", {"frame"}, &R::clear_paint},
@@ -71,6 +76,8 @@ const std::vector<ScriptRunner::Verb>& ScriptRunner::verbs() {
       {"undo", {"steps"}, &R::step_history},
       {"redo", {"steps"}, &R::step_history},
       {"export", {"to", "label"}, &R::write},
+      {"look", {"from", "at", "fov", "size", "to"}, &R::look},
+      {"export_pictures", {"to", "pictures", "formats", "sheet", "rig"}, &R::export_pictures},
       {"contact_sheet", {"to"}, &R::sheet},
       {"save", {"project"}, &R::save},
   };
@@ -146,42 +153,6 @@ Result<void> ScriptRunner::lock(const Action& action) {
   return {};
 }
 
-Result<void> ScriptRunner::add_light(const Action& action) {
-  NewLight light;
-  LUM_TRY(const auto type, action.text("type"));
-  LUM_TRY(const auto name, action.text("name"));
-  LUM_TRY(const auto group, action.text("group"));
-  LUM_TRY(const auto from_paint, action.flag("from_paint"));
-  LUM_TRY(const auto lock_others, action.flag("lock_others"));
-  LUM_TRY(const auto dark, action.flag("dark"));
-  light.type = type.value_or(light.type);
-  light.name = name.value_or(light.name);
-  light.group = group.value_or("");
-  light.from_paint = from_paint.value_or(true);
-  light.lock_others = lock_others.value_or(true);
-  light.dark = dark.value_or(false);
-  LUM_TRY(const auto count, action.number("count"));
-  if (is_any_kind(light.type)) {
-    if (count) return action.wrong("one light at a time is added of any kind", "count");
-    LUM_TRY_VOID(add_light_of_any_kind(*session_, light, {}, events_.watch));
-    return {};
-  }
-  if (count) {
-    if (!(*count >= 1.0 && *count <= 64.0 && *count == std::floor(*count))) {
-      return action.wrong("a whole number from 1 to 64 is wanted", "count");
-    }
-    LUM_TRY_VOID(session_->add_lights(static_cast<int>(*count), light));
-    return {};
-  }
-  LUM_TRY_VOID(session_->add_light(light));
-  return {};
-}
-
-Result<void> ScriptRunner::remove_light(const Action& action) {
-  LUM_TRY(const std::string light, action.needed_text("light"));
-  return session_->remove_light(light);
-}
-
 /// "constrain" adds rules, "set_constraints" puts them in place of all there are.
 Result<void> ScriptRunner::constrain(const Action& action) {
   LUM_TRY(const std::vector<std::string> rules, action.texts("rules"));
@@ -191,28 +162,6 @@ Result<void> ScriptRunner::constrain(const Action& action) {
   const Stage& stage = session_->stage();
   LUM_TRY_VOID(add_constraints(rig, rules, stage.renderer->surface(), stage.bounds));
   return session_->set_constraints(rig.constraints);
-}
-
-Result<void> ScriptRunner::mute(const Action& action) {
-  LUM_TRY(const std::string light, action.needed_text("light"));
-  LUM_TRY(const auto muted, action.flag("muted"));
-  return session_->set_muted(light, muted.value_or(true));
-}
-
-Result<void> ScriptRunner::link_light(const Action& action) {
-  LUM_TRY(const std::string light, action.needed_text("light"));
-  LUM_TRY(const std::vector<std::string> objects, action.texts("objects"));
-  return session_->link_light(light, objects);
-}
-
-Result<void> ScriptRunner::share_shadows(const Action& action) {
-  LUM_TRY(const std::string light, action.needed_text("light"));
-  return session_->share_shadows(light);
-}
-
-Result<void> ScriptRunner::load_rig(const Action& action) {
-  LUM_TRY(const std::string rig, action.needed_text("rig"));
-  return session_->load_rig(rig, folder_);
 }
 
 Result<void> ScriptRunner::style(const Action& action) {

@@ -59,10 +59,14 @@ class ScriptRunner {
   Result<void> remove_light(const Action& action);
   Result<void> constrain(const Action& action);
   Result<void> mute(const Action& action);
+  Result<void> rename_light(const Action& action);
+  Result<void> duplicate_light(const Action& action);
+  Result<void> group_lights(const Action& action);
   Result<void> link_light(const Action& action);
   Result<void> share_shadows(const Action& action);
   Result<void> load_rig(const Action& action);
   Result<void> style(const Action& action);
+  Result<void> reframe(const Action& action);
   Result<void> go_to(const Action& action);
   Result<void> key(const Action& action);
   Result<void> move_key(const Action& action);
@@ -70,6 +74,7 @@ class ScriptRunner {
   Result<void> solve_frames(const Action& action);
   Result<ScriptStrokes> strokes_of(const Action& action) const;
   Result<void> paint(const Action& action);
+  Result<void> drag(const Action& action);
   Result<void> importance(const Action& action);
   Result<void> target(const Action& action);
   Result<void> clear_paint(const Action& action);
@@ -88,6 +93,8 @@ class ScriptRunner {
   Result<void> revert(const Action& action);
   Result<void> step_history(const Action& action);
   Result<void> write(const Action& action);
+  Result<void> look(const Action& action);
+  Result<void> export_pictures(const Action& action);
   Result<void> sheet(const Action& action);
   Result<void> save(const Action& action);
   Result<void> export_stopped();

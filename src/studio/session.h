@@ -13,8 +13,6 @@
 
 namespace luminist {
 
-class PaintLayers;
-
 /// One shot under work.
 ///
 /// Every call that changes something is one gesture: it is recorded as one command with what it did and what was asked
@@ -48,6 +46,7 @@ class Session : private SessionData {
   Result<Canvas> canvas_copy();
   Result<const Target*> target();  ///< What is painted, until the next call. errors the renderer's; a tile is gone.
   [[nodiscard]] bool painted() const { return has_paint(project_.document()); }
+  ShotView view();  ///< camera, size, and the shot from anywhere (studio/shot_view.h)
 
   // Lights and style -----------------------------------------------------------------------------------------------
   /// Assignments as "lights/key/barn=0.3,0.3,0.1", all or none; constraints then move what they must. errors kUsage.
@@ -66,6 +65,7 @@ class Session : private SessionData {
   Result<void> set_constraints(std::vector<Constraint> constraints);
   /// Adds constraints in words (parse_constraint()); one replaces that of its light and kind. errors as both.
   Result<void> constrain(const std::vector<std::string>& words);
+  LightList light_list();  ///< names, groups, copies of lights (studio/light_list.h)
   Result<void> set_muted(const std::string& name, bool muted);
   /// That light, or all of "group:NAME", lights only the objects that match; none: all. errors those of link_light().
   Result<void> link_light(const std::string& name, const std::vector<std::string>& patterns);
@@ -134,6 +134,8 @@ class Session : private SessionData {
  private:
   friend class PaintLayers;
   friend class Shots;  ///< the same session beyond its frame (studio/shots.h)
+  friend class LightList;
+  friend class ShotView;
   explicit Session(SessionData data) : SessionData(std::move(data)) {}
   Result<Canvas*> canvas();
   Result<StartLight> start_light();

@@ -12,6 +12,11 @@
 
 namespace luminist {
 
+class FreeView;
+class LightList;
+class PaintLayers;
+class ShotView;
+
 /// The project is the truth; the rest is made from it, or will be when it is needed.
 struct SessionData {
   Device* device_;
@@ -28,7 +33,9 @@ struct SessionData {
   std::optional<ParamState> proposed_;  ///< found elsewhere
   std::optional<Solved> solved_;
   bool locks_chosen_ = false;
-  std::string layer_ = {};  ///< that is painted on; one that is not there: the highest
+  std::string layer_ = {};                    ///< that is painted on; one that is not there: the highest
+  std::shared_ptr<FreeView> free_view_ = {};  ///< null: nobody looked yet
+  std::uint64_t free_view_of_ = 0;            ///< id of the stage whose shot it shows
 };
 
 }  // namespace luminist

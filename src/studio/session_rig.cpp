@@ -32,6 +32,24 @@ Result<void> check_group(const std::string& group) {
                "use 1 to 255 characters, none of them / * = :"};
 }
 
+/// "toon" of "toon+outline".
+std::string base_of(const std::string& style) {
+  return style.substr(0, style.find('+'));
+}
+
+/// Values and locks of the parameters that both have: lines go over a style, or away, without changing it.
+void keep_values(const ParamBlock& before, ParamBlock& after) {
+  for (int param = 0; param < after.schema().size(); ++param) {
+    const ParamSpec& spec = after.schema()[param];
+    const auto same = before.schema().find(spec.name);
+    if (!same || before.schema()[*same].type != spec.type) continue;
+    for (int c = 0; c < spec.components(); ++c) after.set(param, c, before.get(*same, c));
+    for (int dof = 0; dof < spec.dofs(); ++dof) {
+      after.set_locked(spec.first_dof + dof, before.locked_by_hand(before.schema()[*same].first_dof + dof));
+    }
+  }
+}
+
 }  // namespace
 
 Result<void> Session::set(const std::vector<std::string>& assignments) {
@@ -186,6 +204,7 @@ Result<void> Session::restyle(const std::string& name) {
   shot.style = name;
   LUM_TRY(auto stage, open_stage(*device_, roots_, shot, folder_, *diagnostics_, stage_->moving));
   ParamState next{state_.rig, initial_state(stage->types, stage->style, stage->frame).style};
+  if (base_of(name) == base_of(shot_.style)) keep_values(state_.style, next.style);
   Document document = project_.document();
   document.erase_below("style/");
   document.erase_below("locks/style/");
@@ -208,6 +227,7 @@ Result<void> Session::reload_style() {
     reloaded = carried_over(state_, stage->style, stage->frame);
   }
   LUM_TRY(ParamState next, std::move(reloaded));
+  free_view_.reset();
   drop_proposal();
   solved_.reset();
   canvas_.reset();

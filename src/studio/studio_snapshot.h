@@ -47,6 +47,7 @@ struct ShotFacts {
   StyleMetric metric;
   std::vector<std::string> styles;       ///< all that can be a picture of their own
   std::vector<std::string> light_types;  ///< that a new light can have
+  std::vector<std::string> cameras;      ///< of the scene
 };
 
 struct HistoryFacts {

@@ -54,14 +54,6 @@ float superellipse(const Vec2& point, const Vec3& barn, float least_edge) {
   return 1.0F - ramp_up(0.0F, 1.0F, n_outer * (n_inner - 1.0F) / std::max(n_inner - n_outer, kTiny));
 }
 
-void light_frame(const Vec3& axis, Vec3& right, Vec3& up) {
-  const float steepness = 1.0F - (axis.x * axis.x + axis.z * axis.z);
-  const float bias = 0.1F * smooth(saturate((steepness - 0.96F) / 0.04F));
-  const Vec3 across = Vec3(-axis.z, 0.0F, axis.x) + bias * (Vec3(1.0F, 0.0F, 0.0F) - axis.x * axis);
-  right = safe_normalize(across, Vec3(1.0F, 0.0F, 0.0F));
-  up = glm::cross(right, axis);
-}
-
 float distance_falloff(float r, float reference, float exponent) {
   const float ratio = std::min(r / std::max(std::abs(reference), kTiny), 1e6F);
   return std::exp2(std::clamp(0.5F * exponent * std::log2(2.0F / (1.0F + ratio * ratio)), -40.0F, 40.0F));
@@ -97,6 +89,14 @@ std::optional<RigLight::Kind> kind_of(const std::string& type) {
 }
 
 }  // namespace
+
+void light_frame(const Vec3& axis, Vec3& right, Vec3& up) {
+  const float steepness = 1.0F - (axis.x * axis.x + axis.z * axis.z);
+  const float bias = 0.1F * smooth(saturate((steepness - 0.96F) / 0.04F));
+  const Vec3 across = Vec3(-axis.z, 0.0F, axis.x) + bias * (Vec3(1.0F, 0.0F, 0.0F) - axis.x * axis);
+  right = safe_normalize(across, Vec3(1.0F, 0.0F, 0.0F));
+  up = glm::cross(right, axis);
+}
 
 Result<RigLight> rig_light(const LightRig& rig, int index, const Softness& softness, const SceneFrame& frame,
                            std::span<const std::string> objects) {

@@ -54,6 +54,9 @@ struct RigLight {
 Result<RigLight> rig_light(const LightRig& rig, int light, const Softness& softness, const SceneFrame& frame,
                            std::span<const std::string> objects = {});
 
+/// The frame of the barn of a light that shines along axis (unit), as shaders/lib/helpers.glsl has it.
+void light_frame(const Vec3& axis, Vec3& right, Vec3& up);
+
 /// Radiance of a white diffuser at a place that faces the light, without shadows, of a light of colour 1 that shines
 /// from a point (every kind but kArea).
 float point_strength(const RigLight& light, const Vec3& position);

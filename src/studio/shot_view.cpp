@@ -1,0 +1,67 @@
+#include "studio/shot_view.h"
+
+#include <utility>
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "project/paint_document.h"
+
+namespace luminist {
+namespace {
+
+using Json = nlohmann::json;
+
+/// The paint of this frame and of all others, and what counted before.
+void forget_paint(Document& document) {
+  document.erase_below("paint/");
+  std::vector<std::string> gone;
+  for (const auto& [path, value] : document.entries()) {
+    if (path.starts_with("frames/") && path.find("/paint/") != std::string::npos) gone.push_back(path);
+  }
+  for (const std::string& path : gone) document.set(path, "");
+}
+
+}  // namespace
+
+ShotView Session::view() {
+  return ShotView(*this);
+}
+
+Result<void> ShotView::reframe(const std::string& camera, int width, int height) {
+  Session& session = *session_;
+  Shot shot = session.shot_;
+  shot.camera = camera;
+  shot.width = width;
+  shot.height = height;
+  if (same_stage(shot, session.shot_)) return {};
+  LUM_TRY(auto stage, open_stage(*session.device_, session.roots_, shot, session.folder_, *session.diagnostics_,
+                                 session.stage_->moving));
+  Document document = session.project_.document();
+  const bool painted = session.painted();
+  forget_paint(document);
+  write_shot(shot, document);
+  const std::string label = fmt::format("Look through {}, {} x {}{}", camera.empty() ? "the first camera" : camera,
+                                        width, height, painted ? ", without the paint" : "");
+  const Json action = {{"do", "reframe"}, {"camera", camera}, {"size", {width, height}}};
+  LUM_TRY_VOID(session.commit(label, action.dump(), document));
+  session.solved_.reset();
+  session.canvas_.reset();
+  session.stage_ = std::move(stage);
+  session.shot_ = std::move(shot);
+  return {};
+}
+
+Result<FreeView*> ShotView::from_anywhere() {
+  Session& session = *session_;
+  if (!session.free_view_ || session.free_view_of_ != session.stage_->id) {
+    session.free_view_.reset();
+    LUM_TRY(auto view,
+            FreeView::open(*session.device_, session.roots_, session.shot_, session.folder_, *session.diagnostics_));
+    session.free_view_ = std::move(view);
+    session.free_view_of_ = session.stage_->id;
+  }
+  return session.free_view_.get();
+}
+
+}  // namespace luminist

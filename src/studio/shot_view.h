@@ -1,0 +1,28 @@
+#pragma once
+// studio/shot_view.h -- from where a shot is looked at: its own camera and size, and any place besides.
+#include <string>
+
+#include "studio/free_view.h"
+#include "studio/session.h"
+
+namespace luminist {
+
+/// Obtained by Session::view(); the session outlives it.
+class ShotView {
+ public:
+  explicit ShotView(Session& session) : session_(&session) {}
+
+  /// Another camera ("": the scene's first) or size in pixels, as one command. What is painted, at any frame, was made
+  /// for the picture before and goes with it; undo brings both back. cost opening the shot.
+  /// errors kUsage for an unknown camera (nearest name) or a bad size, kLimit.
+  Result<void> reframe(const std::string& camera, int width, int height);
+
+  /// The shot from anywhere, valid until the shot, its style or its frame is another. Nothing is recorded.
+  /// errors FreeView::open()'s. cost reading the scene, once.
+  Result<FreeView*> from_anywhere();
+
+ private:
+  Session* session_;
+};
+
+}  // namespace luminist
