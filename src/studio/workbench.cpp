@@ -120,8 +120,8 @@ Result<void> Workbench::put_proposal() {
   report.solver = "live";
   report.termination = live_painting_->termination();
   report.evals = live_painting_->pictures();
-  report.epsilon_start = live_painting_->error_of(live_painting_->target().before);
-  report.epsilon = live_painting_->error_of(live_painting_->picture());
+  report.epsilon_start = start_epsilon_;
+  report.epsilon = live_epsilon_;
   session_->propose(live_painting_->best(), {{}, report, live_painting_->target(), "Accept a live solve"});
   proposal_put_ = true;
   return {};
@@ -172,6 +172,7 @@ Result<void> Workbench::act(const Task& task, After after) {
   if (!session_->has_proposal()) kept_.erase(project.undo_steps());
   trial_.reset();
   live_painting_.reset();
+  quick_painting_.reset();
   canvas_.reset();
   resting_ = proposal_put_ = false;
   solving_ = started;
