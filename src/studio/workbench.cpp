@@ -156,7 +156,13 @@ Result<void> Workbench::act(const Task& task, After after) {
   const auto marks = [&] { return std::pair(project.undo_steps(), project.redo_steps()); };
   const auto before = marks();
   const bool proposed = session_->has_proposal();
+  const std::uint64_t stage = session_->stage().id;
   const auto done = task(*session_);
+  if (session_->stage().id != stage) {  // what is small, and what is watched, was of the stage before
+    quick_painting_.reset();
+    quick_stages_.clear();
+    style_files_.reset();
+  }
   const bool moved = marks().first != before.first && marks().first + marks().second == before.first + before.second;
   const Solved* solved = session_->solved();
   const bool started = session_->has_proposal() && solved != nullptr &&

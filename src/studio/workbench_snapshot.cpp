@@ -154,9 +154,6 @@ Result<std::shared_ptr<const StudioSnapshot>> Workbench::snapshot() {
   if (facts_of_ != session_->stage().id) {
     facts_ = std::make_shared<const ShotFacts>(facts());
     facts_of_ = session_->stage().id;
-    quick_painting_.reset();
-    quick_stages_.clear();  // they were smaller ones of the stage before
-    style_files_.reset();
   }
   next->facts = facts_;
   LUM_TRY_VOID(refresh_pictures(*next));
