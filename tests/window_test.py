@@ -21,8 +21,8 @@ PATIENCE = 240  # seconds: a machine without a GPU that does other work, too
 CANVAS = (278, 60, 944, 692)
 MARGIN = 12
 PICTURE = (640, 480)
-TAB_PAINT = (1068, 37)  # of the panels on the right
-ADD_LAYER = (1184, 66)  # the first button beside the heading "Layers"
+TAB_PAINT = (1078, 42)  # of the panels on the right
+ADD_LAYER = (1171, 69)  # the first button beside the heading "Layers"
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 LARGEST_DIFFERENCE = 0.002  # of the pixels: hinting and antialiasing of another version of the font rasterizer
 

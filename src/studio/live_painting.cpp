@@ -26,6 +26,16 @@ LivePainting::LivePainting(const Stage& stage, Canvas canvas, ParamState start, 
       new_lights_(std::move(new_lights)),
       options_(options) {}
 
+void LivePainting::go_on_from(ParamState lights, std::vector<std::string> new_lights) {
+  new_lights_ = std::move(new_lights);
+  if (solve_) solve_->offer(lights);
+  start_ = std::move(lights);
+}
+
+Result<void> LivePainting::get_ready() {
+  return solve_ || !new_lights_.empty() ? Result<void>() : retarget(PixelBox{});
+}
+
 void LivePainting::set_importance(float nu, float delta) {
   canvas_.set_importance(nu, delta);
 }

@@ -41,6 +41,12 @@ class LivePainting {
   LivePainting(const Stage& stage, Canvas canvas, ParamState start, std::vector<std::string> new_lights,
                const Options& options);
 
+  /// Other lights of the same rig to go on from, where they are nearer; between strokes.
+  void go_on_from(ParamState lights, std::vector<std::string> new_lights);
+  /// Gets the solver ready before there is a stroke, unless the paint has to say first where lights begin.
+  /// errors the renderer's. cost a picture and the samples.
+  Result<void> get_ready();
+
   /// Weights of what is not painted; no event. cost O(pixels).
   void set_importance(float nu, float delta);
   /// The events of a hand: paint, retarget, a slice, the picture. A bucket is an event of its own.

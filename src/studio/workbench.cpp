@@ -120,8 +120,8 @@ Result<void> Workbench::put_proposal() {
   report.solver = "live";
   report.termination = live_painting_->termination();
   report.evals = live_painting_->pictures();
-  report.epsilon_start = live_painting_->error_of(live_painting_->target().before);
-  report.epsilon = live_painting_->error_of(live_painting_->picture());
+  report.epsilon_start = start_epsilon_;
+  report.epsilon = live_epsilon_;
   session_->propose(live_painting_->best(), {{}, report, live_painting_->target(), "Accept a live solve"});
   proposal_put_ = true;
   return {};
@@ -156,7 +156,13 @@ Result<void> Workbench::act(const Task& task, After after) {
   const auto marks = [&] { return std::pair(project.undo_steps(), project.redo_steps()); };
   const auto before = marks();
   const bool proposed = session_->has_proposal();
+  const std::uint64_t stage = session_->stage().id;
   const auto done = task(*session_);
+  if (session_->stage().id != stage) {  // what is small, and what is watched, was of the stage before
+    quick_painting_.reset();
+    quick_stages_.clear();
+    style_files_.reset();
+  }
   const bool moved = marks().first != before.first && marks().first + marks().second == before.first + before.second;
   const Solved* solved = session_->solved();
   const bool started = session_->has_proposal() && solved != nullptr &&
@@ -172,6 +178,7 @@ Result<void> Workbench::act(const Task& task, After after) {
   if (!session_->has_proposal()) kept_.erase(project.undo_steps());
   trial_.reset();
   live_painting_.reset();
+  quick_painting_.reset();
   canvas_.reset();
   resting_ = proposal_put_ = false;
   solving_ = started;

@@ -69,7 +69,8 @@ class Workbench : private WorkbenchData {
   Result<void> take_offer(std::size_t offer);
 
   /// On a machine without a graphics processor: gets a smaller stage ready for pictures while the brush moves, one of
-  /// QuickStage::kSizes each time. errors those of QuickStage::open(). cost seconds, three times a shot.
+  /// QuickStage::kSizes each time; then what a first stroke would wait for. errors those of QuickStage::open(). cost
+  /// seconds, three times a shot.
   Result<void> prepare();
   /// Reads the style again if its files were written since the last call. returns whether they were.
   /// errors at the author's line; what is shown stays.
@@ -93,7 +94,12 @@ class Workbench : private WorkbenchData {
   Result<void> open_stroke(const Stroke& stroke, const std::filesystem::path& folder);
   Result<void> begin_quick(const Stroke& stroke, const std::filesystem::path& folder);
   [[nodiscard]] const QuickStage& quick_stage() const;
+  Result<void> open_quick();
+  Result<void> go_on_quick();
+  Result<void> prepare_stroke();
   void end_quick();
+  /// The picture shown is a small one.
+  [[nodiscard]] bool shows_quick() const { return stroke_ && stroke_->quick && quick_painting_->has_lights(); }
   void note_event(const LiveEvent& event, double paint);
   Result<void> finish_stroke();
   Result<void> record(const Task& task);

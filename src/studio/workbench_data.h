@@ -50,7 +50,8 @@ struct WorkbenchData {
   std::optional<Canvas> canvas_;                           ///< for strokes that no light follows, or only a quick one
   std::vector<std::unique_ptr<QuickStage>> quick_stages_;  ///< of QuickStage::kSizes, as far as they are ready
   QuickSize quick_size_;
-  std::optional<LivePainting> quick_painting_;
+  std::optional<LivePainting> quick_painting_;  ///< goes on from stroke to stroke
+  const QuickStage* quick_of_ = nullptr;        ///< its stage
   std::optional<HeldStroke> stroke_;
   std::optional<ParamState> trial_;  ///< of preview()
   std::vector<std::string> solo_;

@@ -62,6 +62,7 @@ Result<void> Workbench::take_offer(std::size_t offer) {
   LUM_TRY(const Target* target, session_->target());
   session_->propose(taken.lights, {{}, taken.report, *target, "Take an offer"});
   live_painting_.reset();
+  quick_painting_.reset();
   trial_.reset();
   solving_ = resting_ = follow_again_ = proposal_put_ = false;
   unanswered_ = 0;
@@ -71,7 +72,8 @@ Result<void> Workbench::take_offer(std::size_t offer) {
 
 Result<void> Workbench::prepare() {
   if (!session_ || !device_->info().software || !QuickStage::helps(session_->shot())) return {};
-  if (quick_stages_.size() == QuickStage::kSizes.size() || unprepared_ == session_->stage().id) return {};
+  if (unprepared_ == session_->stage().id) return {};
+  if (quick_stages_.size() == QuickStage::kSizes.size()) return prepare_stroke();
   Diagnostics told_already;
   auto stage = QuickStage::open(*device_, roots_, session_->shot(), QuickStage::kSizes[quick_stages_.size()],
                                 session_->project().folder().parent_path(), told_already);
@@ -94,6 +96,7 @@ Result<bool> Workbench::refresh_style() {
   LUM_TRY_VOID(session_->reload_style());
   style_files_->follow(session_->stage().style);
   live_painting_.reset();
+  quick_painting_.reset();
   quick_stages_.clear();
   kept_.clear();
   canvas_.reset();

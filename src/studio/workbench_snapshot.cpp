@@ -62,7 +62,7 @@ ShotFacts Workbench::facts() const {
 
 const ParamState& Workbench::shown_lights() const {
   if (trial_) return *trial_;
-  if (quick_painting_ && quick_painting_->has_lights()) return quick_painting_->best();
+  if (shows_quick()) return quick_painting_->best();
   return live_painting_ && live_painting_->has_lights() ? live_painting_->best() : session_->shown();
 }
 
@@ -83,7 +83,7 @@ Result<void> Workbench::refresh_pictures(StudioSnapshot& next) {
       }
       LUM_TRY(Image picture, session_->stage().renderer->render(shown));
       picture_ = std::make_shared<const Image>(std::move(picture));
-    } else if (quick_painting_ && quick_painting_->has_lights()) {
+    } else if (shows_quick()) {
       picture_ = std::make_shared<const Image>(quick_painting_->picture());
     } else if (lights) {
       picture_ = std::make_shared<const Image>(live_painting_->picture());
@@ -118,7 +118,7 @@ Result<void> Workbench::tell_layers(StudioSnapshot& next) {
 
 void Workbench::tell_solve(StudioSnapshot& next) {
   const bool lights = live_painting_ && live_painting_->has_lights();
-  const bool quick = quick_painting_ && quick_painting_->has_lights();
+  const bool quick = shows_quick();
   next.proposal = session_->has_proposal() || lights || quick;
   next.solving = solving_ || follow_again_ || (live_painting_ && resting_);
   if (quick) {
@@ -154,8 +154,6 @@ Result<std::shared_ptr<const StudioSnapshot>> Workbench::snapshot() {
   if (facts_of_ != session_->stage().id) {
     facts_ = std::make_shared<const ShotFacts>(facts());
     facts_of_ = session_->stage().id;
-    quick_stages_.clear();  // they were smaller ones of the stage before
-    style_files_.reset();
   }
   next->facts = facts_;
   LUM_TRY_VOID(refresh_pictures(*next));

@@ -58,6 +58,7 @@ Result<void> Workbench::open_stroke(const Stroke& stroke, const fs::path& folder
     note_event(event, 0.0);
   } else {
     live_painting_.reset();
+    quick_painting_.reset();
     LUM_TRY_VOID(hand_canvas());
     LUM_TRY(const PixelBox box, canvas_->begin_stroke(stroke, folder.string()));
     painted_buffers_.note(box);
@@ -66,7 +67,7 @@ Result<void> Workbench::open_stroke(const Stroke& stroke, const fs::path& folder
   proposal_put_ = follow_again_ = false;
   if (unanswered_ == 0) unanswered_ = strokes() + 1;
   painted_.reset();
-  if (!quick || quick_painting_->has_lights()) picture_.reset();
+  if (!quick || shows_quick()) picture_.reset();
   return {};
 }
 
@@ -77,19 +78,46 @@ const QuickStage& Workbench::quick_stage() const {
   return found == quick_stages_.end() ? *quick_stages_.back() : **found;
 }
 
-/// The full canvas takes the stroke for the eye, the small one for the lights.
-Result<void> Workbench::begin_quick(const Stroke& stroke, const fs::path& folder) {
+/// The hand's canvas and a small painting go on from what is shown.
+Result<void> Workbench::go_on_quick() {
   live_painting_.reset();
   LUM_TRY_VOID(hand_canvas());
   const ParamState& start = session_->shown();
-  LUM_TRY(LivePainting painting,
-          quick_stage().paint(canvas_->state(), session_->state(), start, waiting_lights(start.rig)));
+  if (quick_painting_ && quick_of_ == &quick_stage()) {
+    quick_painting_->go_on_from(start, waiting_lights(start.rig));
+  } else {
+    LUM_TRY_VOID(open_quick());
+  }
+  return {};
+}
+
+/// The full canvas takes the stroke for the eye, the small one for the lights.
+Result<void> Workbench::begin_quick(const Stroke& stroke, const fs::path& folder) {
+  LUM_TRY_VOID(go_on_quick());
   LUM_TRY(const PixelBox box, canvas_->begin_stroke(stroke, folder.string()));
   painted_buffers_.note(box);
-  LUM_TRY(const LiveEvent event, painting.begin(stroke, folder.string()));
+  LUM_TRY(const LiveEvent event, quick_painting_->begin(stroke, folder.string()));
   live_epsilon_ = event.epsilon;
-  quick_painting_ = std::move(painting);
   return {};
+}
+
+/// A small painting of what is on the hand's canvas.
+Result<void> Workbench::open_quick() {
+  const QuickStage& stage = quick_stage();
+  const ParamState& start = session_->shown();
+  LUM_TRY(quick_painting_, stage.paint(canvas_->state(), session_->state(), start, waiting_lights(start.rig)));
+  quick_of_ = &stage;
+  return {};
+}
+
+/// What a first stroke would wait for.
+Result<void> Workbench::prepare_stroke() {
+  if (stroke_ || quick_stages_.empty() || !can_follow()) return {};
+  if (quick_painting_ && quick_of_ == &quick_stage()) return {};
+  LUM_TRY_VOID(put_proposal());
+  LUM_TRY_VOID(hand_canvas());
+  LUM_TRY_VOID(open_quick());
+  return quick_painting_->get_ready();
 }
 
 /// What the event took; paint: on a full canvas beside the small one, in seconds, or 0.
@@ -114,7 +142,6 @@ void Workbench::end_quick() {
     report.epsilon = live_epsilon_;
     session_->propose(quick_painting_->best(), {{}, report, canvas_->target(), "Accept a live solve"});
   }
-  quick_painting_.reset();
   follow_again_ = true;
 }
 
@@ -136,7 +163,7 @@ Result<void> Workbench::extend_stroke(std::span<const StrokePoint> points) {
   if (stroke_->quick) {
     LUM_TRY(const LiveEvent event, quick_painting_->extend(points));
     note_event(event, std::max(paint, 1e-9));
-    const bool other = picture_ && quick_painting_->has_lights() && !picture_->same_size(quick_painting_->picture());
+    const bool other = picture_ && shows_quick() && !picture_->same_size(quick_painting_->picture());
     changed = event.changed || other;
   }
   painted_.reset();
@@ -161,9 +188,11 @@ Result<void> Workbench::finish_stroke() {
     return done;
   }
   resting_ = held.live;
+  if (held.live) start_epsilon_ = live_painting_->error_of(live_painting_->target().before);
   painted_.reset();
   if (held.quick) {
-    end_quick();  // its picture stays until there is a full one
+    if (!quick_painting_->end()) quick_painting_.reset();  // so small that its gradient met no surface
+    end_quick();                                           // its picture stays until there is a full one
   } else {
     picture_.reset();
   }
@@ -202,12 +231,14 @@ Result<void> Workbench::repaint(const Task& task) {
   if (session_->project().undo_steps() == before) {
     follow_again_ = follow_again_ || std::exchange(resting_, false);
     live_painting_.reset();
+    quick_painting_.reset();
     canvas_.reset();
     painted_buffers_.note_all();
     return done;
   }
   trial_.reset();
   live_painting_.reset();
+  quick_painting_.reset();
   canvas_.reset();
   resting_ = false;
   follow_again_ = live_ && session_->painted();
@@ -238,24 +269,38 @@ Result<void> Workbench::lay(const Stroke& stroke, const fs::path& folder) {
   trial_.reset();
   ++strokes_taken_;
   const std::uint32_t first = strokes() + 1;
-  if (can_follow() && quick_stages_.empty()) {
+  LUM_TRY_VOID(put_proposal());
+  const bool quick = can_follow() && !quick_stages_.empty();
+  if (quick) {
+    LUM_TRY_VOID(go_on_quick());
+    const auto box = canvas_->apply(stroke, folder.string());
+    if (!box) {
+      drop_stroke();
+      return box.error();
+    }
+    painted_buffers_.note(*box);
+    const auto event = quick_painting_->bucket(stroke, folder.string());
+    if (event) live_epsilon_ = event->epsilon;
+    if (!event) quick_painting_.reset();
+  } else if (can_follow()) {
     if (!live_painting_) LUM_TRY_VOID(follow());
     LUM_TRY(const LiveEvent event, live_painting_->bucket(stroke, folder.string()));
     note_event(event, 0.0);
     resting_ = true;
   } else {
-    LUM_TRY_VOID(put_proposal());
     live_painting_.reset();
     canvas_.reset();
-    follow_again_ = can_follow();
   }
   auto done = record([&](Session& session) { return session.paint(file_of(stroke), file_in(folder)); });
   if (!done) {
     drop_stroke();
     return done;
   }
+  if (quick) end_quick();
   if (unanswered_ == 0) unanswered_ = first;
-  forget_pictures();
+  picture_.reset();
+  painted_.reset();
+  if (!quick) painted_buffers_.note_all();
   return {};
 }
 
