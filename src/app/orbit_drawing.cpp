@@ -34,7 +34,7 @@ void OrbitPanel::draw_surfaces(Desk& desk, const ScreenRect& rect) {
     list.AddText({rect.center().x - 0.5F * size.x, rect.center().y}, paint_colors::kDim, words);
     return;
   }
-  if (lit_.shows(camera_)) {
+  if (!plain_ && lit_.shows(camera_)) {
     list.AddImage(lit_.id(), im(rect.lo), im(rect.hi));
     return;
   }
@@ -77,7 +77,10 @@ void OrbitPanel::draw_selected(const Desk& desk, const ScreenRect& rect) const {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const auto to_screen = [&](const Vec3& place) { return on_screen(rect, place); };
   // A plumb line says how high it hangs, and over what.
-  const Vec3 foot(pose_->position.x, floor_, pose_->position.z);
+  const Vec3 down(0.0F, -1.0F, 0.0F);
+  const auto below = lit_.solid() ? first_hit(*lit_.solid(), pose_->position, down) : std::nullopt;
+  const float deep = below.value_or(std::max(0.0F, pose_->position.y - floor_));
+  const Vec3 foot = pose_->position + deep * down;
   draw_path(list, to_screen, std::array{pose_->position, foot}, faint(paint_colors::kAccent, 0x90U), 1.0F);
   if (const auto at = to_screen(foot)) list.AddCircle(im(*at), desk.theme.px(4.0F), paint_colors::kAccent, 16, 1.0F);
   if (aim_ && pose_->direction) {
@@ -154,6 +157,10 @@ void OrbitPanel::draw_words(Desk& desk, const ScreenRect& rect) {
   ImGui::SameLine();
   if (ImGui::SmallButton("Top")) seen(0.0F, 1.5F);
   tip(theme, "Look from above.");
+  ImGui::SameLine(0.0F, theme.px(20.0F));
+  if (ImGui::SmallButton(plain_ ? "Lit" : "Plain")) plain_ = !plain_;
+  tip(theme, plain_ ? "Show what the lights do where the view rests, as the style draws it."
+                    : "Show only the surfaces: quick, and as bright in the dark.");
   const char* words =
       "Drag: turn.  Shift+drag: move.  Wheel: nearer.  Lights, aims and squares can be dragged (Shift: finely).";
   const float width = std::min(ImGui::CalcTextSize(words).x, rect.size().x - 2.0F * pad);

@@ -191,7 +191,7 @@ void OrbitPanel::take(Desk& desk, const ScreenRect& rect, const HandEvent& event
 /// large one where the processor draws.
 void OrbitPanel::light_up(Desk& desk, const ScreenRect& rect) {
   const bool rests = desk.time - moved_ > kRest && grip_ != Grip::kTurn && grip_ != Grip::kPan;
-  if (!rests || solid_.empty() || lit_.waits()) return;
+  if (!rests || plain_ || solid_.empty() || lit_.waits()) return;
   const Light* light = on_light() || let_go_ != 0 ? desk.now->shown->rig.find(light_) : nullptr;
   const std::vector<std::string> turned = light != nullptr && pose_ ? assignments(*light) : std::vector<std::string>{};
   const bool quick = on_light() || (desk.software && !lit_.shows(camera_));

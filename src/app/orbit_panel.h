@@ -44,6 +44,7 @@ class OrbitPanel {
   std::shared_ptr<const ShotFacts> facts_;  ///< whose scene is looked at
   LitView lit_;
   SolidView solid_;
+  bool plain_ = false;  ///< also where the eye rests
   float floor_ = 0.0F;  ///< height of the lowest surface
   OrbitEye eye_;
   Camera camera_;
