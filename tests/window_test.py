@@ -23,6 +23,9 @@ MARGIN = 12
 PICTURE = (640, 480)
 TAB_PAINT = (1078, 42)  # of the panels on the right
 ADD_LAYER = (1171, 69)  # the first button beside the heading "Layers"
+# The frames of a scene that moves, below the picture: the first frame on the ruler, and the button of new keys.
+RULER = (424, 588)
+NEW_KEY = (310, 586)
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 LARGEST_DIFFERENCE = 0.002  # of the pixels: hinting and antialiasing of another version of the font rasterizer
 
@@ -345,6 +348,36 @@ def recover_unsaved(studio):
     studio.kill()
 
 
+def frames(studio):
+    """A scene that moves: the ruler is dragged along and let go, and a key is set there."""
+    studio.start(ROOT / "meshes" / "creature" / "creature.glb")
+    project = kept_session(studio)
+    ready(studio)
+    time.sleep(2)
+    studio.do("mousemove", *RULER)
+    time.sleep(0.5)
+    studio.do("mousedown", 1)
+    for step in range(1, 8):
+        studio.do("mousemove", RULER[0] + 30 * step, RULER[1] + 3)
+        time.sleep(0.1)
+    time.sleep(3)
+    studio.shot("dragged_through_time")
+    if count(project, "Go to frame"):
+        raise Fault("looking through time is recorded before the hand lets go")
+    studio.do("mouseup", 1)
+    wait_for("going to a frame is recorded once", lambda: count(project, "Go to frame") == 1)
+    studio.do("mousemove", *NEW_KEY)
+    time.sleep(0.5)
+    studio.do("click", 1)
+    time.sleep(1)
+    studio.do("mousemove", NEW_KEY[0] + 30, NEW_KEY[1] + 30)
+    time.sleep(0.5)
+    studio.shot("new_key")
+    studio.do("click", 1)
+    wait_for("a key is recorded", lambda: count(project, "Key ambient") == 1)
+    studio.kill()
+
+
 def main():
     missing = [tool for tool in ("Xvfb", "xdotool", "import", "identify") if not shutil.which(tool)]
     if missing:
@@ -364,6 +397,7 @@ def main():
             named = undo_redo_save(studio, project)
             crash_and_reopen(studio, named)
             recover_unsaved(studio)
+            frames(studio)
         except Fault as fault:
             studio.shots += 100
             print(fault)

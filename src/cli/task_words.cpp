@@ -56,13 +56,27 @@ Result<void> put_target(Session& session, const PaintWords& words, const AssetRo
   return session.set_target(color, importance);
 }
 
-Result<void> add_new_lights(Session& session, const PaintWords& words) {
+/// The kinds that were tried, fewest degrees of freedom first.
+void tell_kinds(const LightKinds& kinds, Console& console) {
+  for (std::size_t i = 0; i < kinds.tried.size() && !console.json(); ++i) {
+    const LightKind& kind = kinds.tried[i];
+    console.result(fmt::format("{}: error {:.5f} with {} degrees of freedom{}", kind.type, kind.epsilon, kind.dofs,
+                               i == kinds.chosen ? ", chosen" : ""));
+  }
+}
+
+Result<void> add_new_lights(Session& session, const PaintWords& words, VerbContext& context) {
   if (words.new_lights > 0 && is_any_kind(words.light.type)) {
     if (words.new_lights > 1) {
       return Error{ErrorKind::kUsage, "one light at a time is added of any kind", "", "--add-light",
                    "write --add-light 1"};
     }
-    LUM_TRY_VOID(add_light_of_any_kind(session, words.light, {}, {}));
+    const auto watch = [&](const SolveReport& report) {
+      context.console.progress(report);
+      return context.signals.stopped() == 0;
+    };
+    LUM_TRY(const LightKinds kinds, add_light_of_any_kind(session, words.light, {}, watch));
+    tell_kinds(kinds, context.console);
     return {};
   }
   if (words.new_lights == 1) LUM_TRY_VOID(session.add_light(words.light));
@@ -128,12 +142,12 @@ Result<void> link_all(Session& session, const std::vector<std::string>& words) {
 
 /// Paint lies on a picture, so what is known of the lights that make it comes first.
 Result<void> link_and_paint(Session& session, const PaintWords* paint, const std::vector<std::string>& links,
-                            const AssetRoots& roots) {
+                            VerbContext& context) {
   LUM_TRY(const std::vector<std::string> later, link_known(session, links));
   if (paint != nullptr) {
-    LUM_TRY_VOID(put_target(session, *paint, roots));
+    LUM_TRY_VOID(put_target(session, *paint, context.roots));
     if (paint->shares_lights) return {};
-    LUM_TRY_VOID(add_new_lights(session, *paint));
+    LUM_TRY_VOID(add_new_lights(session, *paint, context));
   }
   return link_all(session, later);
 }
@@ -142,7 +156,7 @@ Result<std::unique_ptr<Session>> open_task(Device& device, const Shot& shot, con
                                            const ShotWords& words, const LockWords& locks, VerbContext& context,
                                            Diagnostics& diagnostics) {
   auto session = Session::open(device, context.roots, shot, ".", diagnostics);
-  auto painted = session ? link_and_paint(**session, paint, words.link, context.roots) : Result<void>();
+  auto painted = session ? link_and_paint(**session, paint, words.link, context) : Result<void>();
   context.console.warn(diagnostics);
   if (!session) return session;
   LUM_TRY_VOID(std::move(painted));

@@ -32,8 +32,8 @@ void declare_paint_words(CLI::App& app, PaintWords& words);
 Result<void> check_paint_words(const PaintWords& words);
 /// Paints, or takes the picture as target. errors those of the files and of Session.
 Result<void> put_target(Session& session, const PaintWords& words, const AssetRoots& roots);
-/// Adds the lights that were asked for.
-Result<void> add_new_lights(Session& session, const PaintWords& words);
+/// Adds the lights that were asked for; where their kind is to be found, says what each came to.
+Result<void> add_new_lights(Session& session, const PaintWords& words, VerbContext& context);
 
 /// --lock and --unlock, as they were typed and in the order in which they were mixed:
 /// "--lock '*' --unlock lights/key/color" frees that colour only.

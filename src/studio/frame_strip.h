@@ -30,6 +30,8 @@ class FrameStrip {
   /// From now on the picture shown is that of another frame. errors as above.
   Result<void> preview(Session& session, const ParamState& lights, double frame);
   void leave_preview() { preview_.reset(); }
+  /// The style was written anew: all of it is old.
+  void forget() { shot_.clear(); }
 
   /// Adds what there is to say of the frames to a snapshot; a preview takes the place of its picture and lights.
   void tell(Session& session, StudioSnapshot& next) const;

@@ -296,6 +296,7 @@ bool StudioThread::idle() {
   if (!refreshed) attend(refreshed.error());
   if (refreshed && *refreshed) {
     tell({StudioMessage::Kind::kNote, "the style was read again", "", ""});
+    frames_->forget();
     publish();
   }
   if (!bench_) return false;

@@ -80,6 +80,15 @@ class Values {
   const ParamBlock* block_;
 };
 
+/// Where a light shines from. A sun does from so far away that its rays cross the scene within a thousandth of a radian
+/// of each other.
+Vec3 place_of(const Light& light, const SceneFrame& frame) {
+  const Values values(light.params);
+  if (light.type != "sun") return values.triple("position", Vec3(0.0F));
+  const Vec3 down(0.0F, -1.0F, 0.0F);
+  return frame.center - kSunDistance * frame.radius * safe_normalize(values.triple("direction", down), down);
+}
+
 std::optional<RigLight::Kind> kind_of(const std::string& type) {
   if (type == "cinematic") return RigLight::Kind::kCinematic;
   if (type == "point") return RigLight::Kind::kPoint;
@@ -110,7 +119,7 @@ Result<RigLight> rig_light(const LightRig& rig, int index, const Softness& softn
   RigLight light;
   light.kind = *kind;
   light.color = values.triple("color", Vec3(1.0F)) * values.number("intensity", 1.0F);
-  light.position = values.triple("position", Vec3(0.0F));
+  light.position = place_of(source, frame);
   light.axis = safe_normalize(values.triple("direction", light.axis), light.axis);
   light_frame(light.axis, light.right, light.up);
   light.near_cutoff = values.pair("near_cutoff");
@@ -122,11 +131,9 @@ Result<RigLight> rig_light(const LightRig& rig, int index, const Softness& softn
   light.shadow_density = values.number("shadow_density", 1.0F);
   const float wanted = values.number("shadow_softness", 0.0F);
   light.shadow_softness = std::clamp(std::max(wanted, softness.shadow_angle), 0.0F, kMostSoftness);
-  // So far away that its rays cross the scene within a thousandth of a radian of each other.
-  if (light.kind == RigLight::Kind::kSun) light.position = frame.center - kSunDistance * frame.radius * light.axis;
   light.shadow_position = light.position;
   if (const Light* shared = rig.shadow_light.empty() ? nullptr : rig.find(rig.shadow_light); shared != nullptr) {
-    light.shadow_position = Values(shared->params).triple("position", light.position);
+    light.shadow_position = place_of(*shared, frame);
   }
   if (light.kind == RigLight::Kind::kArea) {
     const float side = std::max(std::abs(values.number("size", 1.0F)), kLeastSide * frame.radius);
