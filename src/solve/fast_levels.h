@@ -17,8 +17,8 @@ enum FastLevel : std::size_t { kScout, kSoft, kMiddle, kNear, kSharp, kExact, kF
 using FastLevels = std::array<Level, kFastLevels>;
 
 /// Under a blurred metric samples are as few: what it blurs gives way to its mean where samples are shaded, and the
-/// target's are blurred. cost O(pixels).
-FastLevels fast_levels(const CellSampler& sampler, std::uint64_t seed);
+/// target's are blurred. estimates: samples have noise; then there are fewer cells, of more samples. cost O(pixels).
+FastLevels fast_levels(const CellSampler& sampler, std::uint64_t seed, bool estimates = false);
 
 /// A field on the cells of every level.
 using FastFields = std::array<CellField, kFastLevels>;

@@ -205,6 +205,9 @@ std::vector<ParamState> light_variants(const ParamState& state, int block, const
   const std::optional<int> position = params.schema().by_role("position");
   const std::optional<int> direction = params.schema().by_role("direction");
   const bool can_be_placed = is_free(params, position) && is_free(params, direction) && !places.position.empty();
+  // A lamp of a size that is not aimed does about the same when it is large as when it is small and a little elsewhere:
+  // each of its parameters is varied as far as it likes, and its place not far beyond what it shines on.
+  const bool lamp = is_free(params, position) && !can_be_placed && is_free(params, params.schema().by_role("extent"));
   std::vector<ParamState> variants;
   for (int i = 0; i < count; ++i) {
     ParamState centre = alone;
@@ -222,12 +225,18 @@ std::vector<ParamState> light_variants(const ParamState& state, int block, const
     const AimMap map(centre, frame, places.focus);
     std::vector<double> x = map.origin();
     constexpr std::array<double, 3> kSpread{0.03, 0.1, 0.3};
+    constexpr double kLampReach = 0.2;
     const double spread = kSpread[static_cast<std::size_t>(random.index(3))];
     const double share = placed ? random.uniform() * random.uniform() : random.uniform(0.1, 1.0);  // of what changes
     for (std::size_t k = 0; k < x.size(); ++k) {
       const std::string& role = params.schema()[map.units().list()[k].param].role;
       const bool place = role == "position" || role == "direction";
       if (role == "color" || (placed && place) || random.uniform() >= share) continue;
+      if (lamp) {
+        const double own = kSpread[static_cast<std::size_t>(random.index(3))];
+        x[k] = std::clamp(x[k] + (place ? kLampReach * own : own) * random.normal(), 0.0, 1.0);
+        continue;
+      }
       x[k] = random.uniform() < 0.2 ? random.uniform() : x[k] + spread * random.normal();
       x[k] = std::clamp(x[k], 0.0, 1.0);
     }

@@ -4,6 +4,7 @@
 
 #include "base/check.h"
 #include "trace/mesh_emitters.h"
+#include "trace/panel_view.h"
 
 namespace luminist {
 namespace {
@@ -45,15 +46,21 @@ bool arrives_from_point(const RigLight& light, const PathVertex& vertex, Arrival
 }
 
 bool arrives_from_panel(const RigLight& light, const PathVertex& vertex, Arrival& arrival) {
-  const Vec3 point = light.panel_point(vertex.place);
+  const Vec3 way = light.position - vertex.position;
+  const Vec3& normal = vertex.surface.normal;
+  const float reach =
+      light.half_side * (std::abs(glm::dot(light.right, normal)) + std::abs(glm::dot(light.up, normal)));
+  if (!(glm::dot(way, light.axis) < 0.0F) || !(glm::dot(way, normal) + reach > 0.0F)) return false;
+  const PanelView view(light, vertex.position);
+  const Vec3 point = view.point(vertex.place);
   const Vec3 to_light = point - vertex.position;
   const float square = glm::dot(to_light, to_light);
   if (!(square > 0.0F)) return false;
   const Vec3 direction = to_light / std::sqrt(square);
   const float cosine = -glm::dot(direction, light.axis);
-  if (!(cosine > 0.0F) || !(glm::dot(direction, vertex.surface.normal) > 0.0F)) return false;
+  if (!(cosine > 0.0F) || !(glm::dot(direction, normal) > 0.0F)) return false;
   const Scattered scattered = evaluate(vertex.surface, direction);
-  const float pdf = square / (cosine * light.panel_area());
+  const float pdf = view.pdf(square, cosine);
   const float weight = mis_weight(pdf, scattered.pdf) / pdf;
   arrival.radiance = vertex.throughput * scattered.value * (weight * light.panel_radiance());
   arrival.segment = {point, vertex.position};
@@ -68,7 +75,7 @@ Vec3 seen_panel(const RigLight& light, const PathVertex& vertex) {
   float weight = 1.0F;
   if (vertex.way_pdf > 0.0F) {
     const float cosine = -glm::dot(vertex.way, light.axis);
-    weight = mis_weight(vertex.way_pdf, distance * distance / (cosine * light.panel_area()));
+    weight = mis_weight(vertex.way_pdf, PanelView(light, vertex.position).pdf(distance * distance, cosine));
   }
   return vertex.way_throughput * (weight * light.panel_radiance());
 }
