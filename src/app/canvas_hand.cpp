@@ -66,6 +66,7 @@ void CanvasPanel::press(Desk& desk, const HandEvent& event) {
 }
 
 void CanvasPanel::begin_stroke(Desk& desk, const HandEvent& event) {
+  desk.hush();
   const Stroke stroke{desk.box.ready(), {stroke_point(desk.view, event)}};
   if (stroke.brush.tool == PaintTool::kCopy && stroke.brush.copy_from.empty()) {
     return desk.tell(StudioMessage::Kind::kNote, "choose an image to copy from first (left panel)");

@@ -1,6 +1,7 @@
 #include "app/desk.h"
 
 #include <algorithm>
+#include <limits>
 #include <utility>
 
 #include "studio/paint_layers.h"
@@ -101,6 +102,10 @@ std::string Desk::with_key(const std::string& text, Deed deed) const {
   return key.empty() ? text : text + " (" + key + ")";
 }
 
+void Desk::hush() {
+  if (!messages.empty()) messages.back().time = -std::numeric_limits<double>::infinity();
+}
+
 const KeptStroke* Desk::edited_stroke() const {
   const auto found = now->layers->strokes.find(selected_stroke);
   return found == now->layers->strokes.end() ? nullptr : found->second.get();
@@ -147,6 +152,7 @@ void perform(Desk& desk, Deed deed, int digit) {
   if (deed == Deed::kQuit) return desk.ask(Question::kQuit);
   if (deed == Deed::kKeys) return desk.ask(Question::kKeys);
   if (perform_here(desk, deed, digit) || !desk.has_shot()) return;
+  desk.hush();
   StudioThread& studio = *desk.studio;
   switch (deed) {
     case Deed::kUndo:

@@ -76,6 +76,8 @@ struct Desk {
   [[nodiscard]] std::string with_key(const std::string& text, Deed deed) const;
   void ask(Question wanted) { question = wanted, question_asked = false; }
   void tell(StudioMessage::Kind kind, std::string text);
+  /// What was told concerns what was done before: the list keeps it, the line below the picture does not.
+  void hush();
 };
 
 /// Does what a key, a menu or a button asks for. digit is that of Deed::kOpacity.
