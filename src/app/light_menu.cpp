@@ -49,7 +49,7 @@ void group_choices(Desk& desk, const Light& light) {
   }
   ImGui::Separator();
   if (ImGui::Selectable("a new group")) group(desk, light.name, unused_group(rig));
-  tip(desk.theme, "Double click on its heading to name it. Lights of a group named \"key\" are their objects' keys.");
+  tip(desk.theme, "The menu of its heading names it. Lights of a group named \"key\" are their objects' keys.");
 }
 
 void removal_choices(Desk& desk, const Light& light) {

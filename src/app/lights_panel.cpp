@@ -12,6 +12,8 @@
 namespace luminist {
 namespace {
 
+constexpr std::string_view kGroup = "group:";
+
 /// Patterns of what a light's lock turns: all of it is locked; what its type declares as solved is freed.
 std::vector<std::string> lock_patterns(const Light& light, bool any_free) {
   const std::string path = "lights/" + light.name;
@@ -159,7 +161,6 @@ void LightsPanel::begin_rename(const std::string& name, const std::string& text)
 void LightsPanel::end_rename(Desk& desk) {
   const std::string from = std::exchange(renaming_, "");
   const std::string to = renamed_to_;
-  constexpr std::string_view kGroup = "group:";
   if (from.starts_with(kGroup)) {
     if (to == from.substr(kGroup.size()) || to.empty()) return;
     if (folded_.erase(from.substr(kGroup.size())) > 0) folded_.insert(to);
@@ -246,7 +247,7 @@ void LightsPanel::light_row(Desk& desk, const Light& light) {
   const bool selected = desk.selected == light.name;
   const RowPlace row = begin_row(selected);
   if (row.twice) {
-    begin_rename(light.name, light.name);
+    clicked_twice_ = light.name;
     desk.selected = light.name;
   } else if (row.clicked && renaming_ != light.name) {
     desk.selected = selected ? "" : light.name;
@@ -277,7 +278,7 @@ void LightsPanel::group_row(Desk& desk, const std::string& group) {
   const bool folded = folded_.contains(group);
   const RowPlace row = begin_row(false);
   if (row.twice) {
-    begin_rename(path, group);
+    clicked_twice_ = path;
   } else if (row.clicked && renaming_ != path) {
     folded ? static_cast<void>(folded_.erase(group)) : static_cast<void>(folded_.insert(group));
   }
@@ -351,6 +352,11 @@ void LightsPanel::details(Desk& desk, const Light& light, ParamWidgets& widgets)
 
 void LightsPanel::draw(Desk& desk, ParamWidgets& widgets) {
   const LightRig& rig = desk.now->shown->rig;
+  // A field gets no focus while the button that asked for it is down.
+  if (!clicked_twice_.empty() && !ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
+    const std::string name = std::exchange(clicked_twice_, "");
+    begin_rename(name, name.starts_with(kGroup) ? name.substr(kGroup.size()) : name);
+  }
   const std::string add = desk.with_key("Add a light", Deed::kAddLight);
   if (ImGui::Button(add.c_str(), {-1.0F, 0.0F})) add_light(desk);
   tip(desk.theme,

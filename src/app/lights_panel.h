@@ -24,6 +24,7 @@ class LightsPanel {
 
   std::set<std::string> folded_;  ///< groups
   std::string renaming_;          ///< a light, or "group:NAME"; "": none
+  std::string clicked_twice_;     ///< is renamed once the button is up
   std::string renamed_to_;        ///< as it is typed
   bool rename_began_ = false;     ///< the field has no focus yet
 };

@@ -87,6 +87,7 @@ Theme make_theme(float scale) {
   if (theme.text == nullptr) theme.text = ImGui::GetIO().Fonts->AddFontDefault();
   if (theme.strong == nullptr) theme.strong = theme.text;
   if (theme.small == nullptr) theme.small = theme.text;
+  ImGui::GetIO().MouseDoubleClickTime = 0.5F;  // frames may be slow where the processor draws them
   ImGuiStyle& style = ImGui::GetStyle();
   style = ImGuiStyle();
   style.WindowPadding = {10.0F, 8.0F};
