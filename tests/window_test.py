@@ -217,7 +217,7 @@ def frames(studio):
     time.sleep(0.5)
     studio.do("click", 1)
     time.sleep(1)
-    studio.do("mousemove", NEW_KEY[0] + 30, NEW_KEY[1] + 30)
+    studio.do("mousemove", NEW_KEY[0] + 30, NEW_KEY[1] + 16)
     time.sleep(0.5)
     studio.shot("new_key")
     studio.do("click", 1)
