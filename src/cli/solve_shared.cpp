@@ -73,12 +73,13 @@ Result<std::vector<std::optional<Verdict>>> judge_all(const SharedSolve& solve, 
                                                       const StopSignals& signals) {
   std::vector<std::optional<Verdict>> verdicts(views.size());
   for (std::size_t k = 0; k < views.size() && signals.stopped() == 0; ++k) {
-    if (!views[k].session->stage().judges()) continue;
     LUM_TRY(const Target* target, views[k].session->target());
     Renderer& renderer = *views[k].session->stage().renderer;
     const ParamState state = solve.state(k);
     LUM_TRY(const Image picture, renderer.render(state));
-    LUM_TRY(verdicts[k], judge(renderer, state, *target, picture));
+    auto verdict = judge(renderer, state, *target, picture, {nullptr, [&] { return signals.stopped() == 0; }});
+    if (verdict) verdicts[k] = std::move(verdict).value();
+    if (!verdict && verdict.error().kind != ErrorKind::kCancelled) return std::move(verdict).error();
   }
   return verdicts;
 }

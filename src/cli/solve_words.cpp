@@ -61,7 +61,12 @@ Result<void> solve_into(Session& session, const SolveWords& words, const std::st
     context.console.progress(report);
     return deadline.go_on();
   });
-  if (solved && context.signals.stopped() == 0 && session.stage().judges()) LUM_TRY_VOID(session.judge());
+  if (solved && context.signals.stopped() == 0) {
+    context.console.progress("judging the strokes");
+    // Lights that were found are written whether or not there is time for a verdict.
+    const auto judged = session.judge([&] { return context.signals.stopped() == 0; });
+    if (!judged && judged.error().kind != ErrorKind::kCancelled) return judged.error();
+  }
   return write_proposal(session, folder, std::move(solved));
 }
 

@@ -79,7 +79,7 @@ Result<void> ScriptRunner::run_live(std::span<const Action> group, const LiveRep
   LUM_TRY(const Target* target, session_->target());
   session_->propose(painting.best(), {how.solve, report, *target, "Accept a live solve"});
   if (stopped) return export_stopped();
-  if (session_->stage().judges()) LUM_TRY_VOID(session_->judge());
+  LUM_TRY_VOID(session_->judge());
   if (events_.live) events_.live(measure);
   if (events_.solved) events_.solved(*session_->solved(), session_->shown());
   return {};

@@ -67,7 +67,12 @@ Result<void> ScriptRunner::solve(const Action& action) {
     return !cancelled && !late;
   }));
   if (cancelled) return export_stopped();
-  if (session_->stage().judges()) LUM_TRY_VOID(session_->judge());
+  const auto judged = session_->judge([&] {
+    cancelled = cancelled || (events_.watch && !events_.watch(session_->solved()->report));
+    return !cancelled;
+  });
+  if (cancelled) return export_stopped();
+  if (!judged) return judged.error();
   if (events_.solved) events_.solved(*session_->solved(), session_->shown());
   return {};
 }

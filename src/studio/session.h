@@ -113,7 +113,8 @@ class Session : private SessionData {
   [[nodiscard]] bool has_proposal() const { return solve_ || proposed_; }
   /// Lights that were found elsewhere become the proposal.
   void propose(ParamState lights, Solved solved);
-  Result<const Verdict*> judge();                   ///< what became of each stroke of the proposal; kept in solved()
+  /// What became of each stroke of the proposal; kept in solved(). errors kCancelled as soon as go_on says false.
+  Result<const Verdict*> judge(const std::function<bool()>& go_on = {});
   Result<void> apply_remedy(std::uint32_t stroke);  ///< what the verdict advises; errors kNothingToDo
   /// The proposal becomes the lights in force, its picture what is painted on; or it goes. errors kNothingToDo.
   Result<void> accept();

@@ -19,7 +19,7 @@ Error nothing_judged() {
 
 }  // namespace
 
-Result<const Verdict*> Session::judge() {
+Result<const Verdict*> Session::judge(const std::function<bool()>& go_on) {
   if (!has_proposal() || solved() == nullptr) return nothing_judged();
   if (!solved_->verdict) {
     LUM_TRY(const Image* picture, this->picture());
@@ -27,7 +27,7 @@ Result<const Verdict*> Session::judge() {
     LUM_TRY(const Light added, make_light(stage_->types, usual.type, usual.name, stage_->frame));
     Target target = solved_->target;
     sanitize(target);
-    LUM_TRY(solved_->verdict, luminist::judge(*stage_->renderer, shown(), target, *picture, {&added}));
+    LUM_TRY(solved_->verdict, luminist::judge(*stage_->renderer, shown(), target, *picture, {&added, go_on}));
   }
   return &*solved_->verdict;
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "params/param_block.h"
+
 namespace luminist {
 namespace {
 

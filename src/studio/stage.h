@@ -37,8 +37,6 @@ struct Stage {
   PathRenderer* paths = nullptr;          ///< the renderer, where it is path traced
   std::shared_ptr<const EdgeMask> edges;  ///< of the renderer's surface, for every solve on it
 
-  /// Whether strokes are judged after a solve: with paths the searches behind a verdict take minutes.
-  [[nodiscard]] bool judges() const { return raster != nullptr; }
   [[nodiscard]] std::span<const std::string> object_names() const;  ///< of the scene; valid while the renderer is
 };
 

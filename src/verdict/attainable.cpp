@@ -37,6 +37,9 @@ bool adds_only_color(const Light& light) {
 bool bound_exists(const Renderer& renderer, const ParamState& state) {
   const Style& style = renderer.style();
   if (style.combination(state.style) != LightCombination::kSum || style.metric.blur > 0.0F) return false;
+  if (const auto denoise = state.style.schema().by_role("denoise"); denoise && state.style.get(*denoise) != 0.0) {
+    return false;  // smoothed parts are not parts of a smoothed picture
+  }
   if (any_free(state.rig.ambient) || any_free(state.style)) return false;
   const Light* shared = state.rig.shadow_light.empty() ? nullptr : state.rig.find(state.rig.shadow_light);
   return shared == nullptr || !may_change(state.rig, *shared) || adds_only_color(*shared);

@@ -11,6 +11,7 @@ constexpr int kVariants = 40;         // of each block
 constexpr int kThorough = 160;
 constexpr double kClear = 0.65;   // an error that is at most this part of the present one is clearly nearer
 constexpr double kOfWish = 0.08;  // and a gain that is at least this part of the wish
+constexpr double kChance = 2.0;   // standard errors of a region's mean that a gain must be larger than
 constexpr double kPrice = 0.25;   // of a stroke's gain must be left when all is counted
 
 }  // namespace
@@ -32,23 +33,36 @@ Result<Evidence> Evidence::create(Renderer& renderer, const ParamState& state, c
   if (!all.target.empty()) {
     LUM_TRY_VOID(renderer.evaluate({&candidate, 1}, all.samples, {}, evidence.colors_));
   }
+  const bool estimates = renderer.style().engine == StyleEngine::kPath;
   evidence.total_now_ = all.error(evidence.colors_);
   for (std::size_t r = 0; r < evidence.regions_.size(); ++r) {
     evidence.shortfalls_.push_back(luminist::shortfall(evidence.regions_[r], target, picture));
     evidence.wishes_.push_back(only_region(all, static_cast<int>(r)));
     double error = 0.0;
+    double chance = 0.0;
     for (std::size_t i = 0; i < all.region.size(); ++i) {
       if (all.region[i] != static_cast<int>(r)) continue;
       error += all.weight[i] * glm::distance(all.target[i], evidence.colors_[i]);
+      chance += all.weight[i] * glm::distance(picture.rgb(all.samples.pixels[i]), evidence.colors_[i]);
     }
-    evidence.now_.push_back(evidence.share_[r] > 0.0 ? error / evidence.share_[r] : 0.0);
+    const double share = evidence.share_[r];
+    evidence.now_.push_back(share > 0.0 ? error / share : 0.0);
+    evidence.noise_.push_back(estimates && share > 0.0 ? chance / share : 0.0);
   }
   return evidence;
 }
 
+double Evidence::quiet(int region, double error) const {
+  const double chance = noise_[static_cast<std::size_t>(region)];
+  return std::sqrt(std::max(0.0, error * error - chance * chance));
+}
+
 bool Evidence::helps(int region, double own) const {
-  const double gain = now(region) - own;
-  return own <= kClear * now(region) && gain >= kOfWish * shortfall(region).wished;
+  const double before = quiet(region, now(region));
+  const double after = quiet(region, own);
+  const double chance = noise_[static_cast<std::size_t>(region)] / std::sqrt(static_cast<double>(kSamples));
+  const double least = std::max(kOfWish * shortfall(region).wished, kChance * chance);
+  return after <= kClear * before && before - after >= least;
 }
 
 bool Evidence::helps_all(int region, const Trial& trial) const {

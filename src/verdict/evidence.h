@@ -36,6 +36,10 @@ class Evidence {
   /// Sampled error of the picture: of one stroke, of everything.
   [[nodiscard]] double now(int region) const { return now_[static_cast<std::size_t>(region)]; }
   [[nodiscard]] double total_now() const { return total_now_; }
+  /// How far a region's samples are from the picture by chance, a mean distance; 0: they are exact.
+  [[nodiscard]] double noise(int region) const { return noise_[static_cast<std::size_t>(region)]; }
+  /// A region's error without what chance adds to it.
+  [[nodiscard]] double quiet(int region, double error) const;
 
   /// What is free, for one stroke alone. thorough: with more variants.
   Result<Reached> alone(int region, const ParamState& start, bool thorough);
@@ -82,6 +86,7 @@ class Evidence {
   std::vector<SampledWish> wishes_;  ///< [regions]
   std::vector<double> share_;        ///< [regions] of all weight
   std::vector<double> now_;
+  std::vector<double> noise_;  ///< [regions]
   double total_now_ = 0.0;
   std::vector<Vec3> colors_;  ///< of the state on all samples
   bool bound_asked_ = false;

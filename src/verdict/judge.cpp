@@ -4,6 +4,7 @@
 
 #include "render/metric.h"
 #include "verdict/stroke_case.h"
+#include "verdict/watched_renderer.h"
 
 namespace luminist {
 namespace {
@@ -21,11 +22,12 @@ Result<std::optional<Rival>> find_rival(Evidence& evidence, std::vector<ParamSta
 
 }  // namespace
 
-Result<Verdict> judge(Renderer& renderer, const ParamState& state, const Target& target, const Image& picture,
+Result<Verdict> judge(Renderer& engine, const ParamState& state, const Target& target, const Image& picture,
                       const JudgeOptions& options) {
   using Clock = std::chrono::steady_clock;
   const Clock::time_point start = Clock::now();
   Verdict verdict;
+  WatchedRenderer renderer(engine, options.go_on);
   const StyleMetric& metric = renderer.style().metric;
   const Target wanted = as_compared(target, metric);
   const Image shown = as_compared(picture, metric);

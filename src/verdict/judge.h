@@ -1,5 +1,7 @@
 #pragma once
 // verdict/judge.h -- judges a solve stroke by stroke.
+#include <functional>
+
 #include "base/result.h"
 #include "render/renderer.h"
 #include "verdict/verdict.h"
@@ -8,6 +10,7 @@ namespace luminist {
 
 struct JudgeOptions {
   const Light* new_light = nullptr;  ///< as made: what "add a light" adds; null: as the rig's first, if there is one
+  std::function<bool()> go_on;       ///< asked before every batch of candidates; false cancels the verdict
 };
 
 /// What became of each stroke of `target` in `state`, whose locks are those of the solve and whose picture is
@@ -22,8 +25,10 @@ struct JudgeOptions {
 ///
 /// Works through evaluate() and pictures alone. Where a style's metric blurs, what is painted and what is shown are
 /// blurred first, and candidates show the mean of their dots and strokes.
-/// errors the renderer's. cost for each stroke that is not met a few hundred candidates several times over on 64 to
-/// some hundred samples, whatever the size of the picture; besides, once if any is not met, the pictures of
+/// Where samples are estimates (a path tracer's), distances are those that are left when what chance alone makes is
+/// taken off, a gain must be larger than chance, and what is said of a stroke says how much chance hides.
+/// errors the renderer's; kCancelled. cost for each stroke that is not met a few hundred candidates several times over
+/// on 64 to some hundred samples, whatever the size of the picture; besides, once if any is not met, the pictures of
 /// AttainableColors. thread: the renderer's.
 Result<Verdict> judge(Renderer& renderer, const ParamState& state, const Target& target, const Image& picture,
                       const JudgeOptions& options = {});

@@ -80,9 +80,19 @@ Result<void> StrokeCase::try_alone() {
   LUM_TRY(const AttainableColors* attainable, evidence_->attainable());
   if (attainable != nullptr) verdict_.least_missed = attainable->least_error(*target_, paint.pixels);
   LUM_TRY(alone_, reach_alone());
-  const double now = evidence_->now(region_);
-  verdict_.near_missed = now > 0.0 ? verdict_.missed * alone_->error / now : verdict_.missed;
+  const double now = evidence_->quiet(region_, evidence_->now(region_));
+  const double near = evidence_->quiet(region_, alone_->error);
+  verdict_.near_missed = now > 0.0 ? verdict_.missed * std::min(1.0, near / now) : verdict_.missed;
   return {};
+}
+
+StrokeVerdict StrokeCase::take() {
+  const double chance = evidence_->noise(region_);
+  if (chance > 0.0 && verdict_.outcome != StrokeOutcome::kMet) {
+    verdict_.text +=
+        fmt::format("{}what differs by less than {:.2g} may be chance", verdict_.text.empty() ? "" : ", ", chance);
+  }
+  return std::move(verdict_);
 }
 
 const ParamState* StrokeCase::alone() const {

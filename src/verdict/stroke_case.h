@@ -29,7 +29,8 @@ class StrokeCase {
   /// rival: lights that are better for everything, if such are known.
   Result<void> decide(const std::optional<Rival>& rival);
 
-  [[nodiscard]] StrokeVerdict take() { return std::move(verdict_); }
+  /// What was decided. Of a stroke that is not met its text says what chance hides, where samples are estimates.
+  [[nodiscard]] StrokeVerdict take();
 
  private:
   Result<Reached> reach_alone();

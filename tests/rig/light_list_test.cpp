@@ -21,7 +21,7 @@ class RigLightList : public testing::Test {
                          {"key", AtDistance{2.0F, Vec3(0.0F)}}};
     rig_->shadow_light = "key";
     const auto color = rig_->lights[0].params.schema().by_role("color");
-    set_key(*rig_, "key", *color, 5.0, KeyInterpolation::kLinear);
+    set_key(*rig_, {"key", *color}, 5.0, KeyInterpolation::kLinear);
   }
   LightTypes types_;
   std::optional<LightRig> rig_;

@@ -11,6 +11,9 @@ class SessionVerdictTest : public SessionTest {
  protected:
   void SetUp() override {
     SessionTest::SetUp();
+    prepare();
+  }
+  void prepare() {
     NewLight key;
     key.name = "key";
     key.from_paint = false;
@@ -67,6 +70,41 @@ TEST_F(SessionVerdictTest, ThereIsNothingToJudgeOrToDoWithoutASolve) {
   EXPECT_EQ(error_of(session_->apply_remedy(1)).kind, ErrorKind::kNothingToDo);
   judged();
   EXPECT_EQ(error_of(session_->apply_remedy(7)).kind, ErrorKind::kNothingToDo);
+}
+
+/// The same where light is traced along paths.
+class PathVerdictTest : public SessionVerdictTest {
+ protected:
+  void SetUp() override {
+    SessionVerdictTest::SetUp();
+    Shot traced = shot();
+    traced.style = "path";
+    traced.set = {"style/samples=16"};
+    auto session = Session::open(*device_, roots_, traced, folder_.path(), diagnostics_);
+    ASSERT_TRUE(session) << session.error().message();
+    session_ = std::move(*session);
+    prepare();
+  }
+};
+
+TEST_F(PathVerdictTest, SaysWhatKeepsAStrokeFromBeingMetAndHowMuchIsChance) {
+  const StrokeVerdict stroke = judged();
+  EXPECT_EQ(stroke.outcome, StrokeOutcome::kImpossible) << verdict_line(stroke);
+  EXPECT_EQ(stroke.cause, Cause::kLockedParameter) << verdict_line(stroke);
+  EXPECT_NE(stroke.text.find("chance"), std::string::npos) << stroke.text;
+  const double before = session_->solved()->report.epsilon;
+  LUM_EXPECT_OK(session_->apply_remedy(1));
+  judged();
+  EXPECT_LT(session_->solved()->report.epsilon, 0.97 * before) << "the next solve comes nearer";
+}
+
+TEST_F(PathVerdictTest, CanBeTakenAwayAtAnyBatchAndLeavesTheSolve) {
+  LUM_EXPECT_OK(session_->solve(few_evals(), {}));
+  int asked = 0;
+  EXPECT_EQ(error_of(session_->judge([&] { return ++asked < 4; })).kind, ErrorKind::kCancelled);
+  EXPECT_EQ(asked, 4);
+  EXPECT_TRUE(session_->has_proposal());
+  EXPECT_FALSE(session_->solved()->verdict);
 }
 
 }  // namespace
