@@ -123,7 +123,7 @@ Result<void> Shots::solve(std::span<const FrameChoice> frames, const SolveOption
   LUM_TRY(const Target* target, session.target());
   Solved solved{options, solve.report(), *target, fmt::format("Accept a solve of {} frames", frames.size())};
   for (std::size_t k = 0; k < own.size(); ++k) {
-    const bool may_judge = judged && !stopped && session.stage_->judges();
+    const bool may_judge = judged && !stopped;
     LUM_TRY(SolvedFrame done, outcome(solve, k, own[k], session.project_.tiles(), may_judge));
     if (done.frame == session.shot_.frame) solved.verdict = done.verdict;
     solved.frames.push_back(std::move(done));
