@@ -15,7 +15,8 @@ import time
 from window_driver import (ROOT, Display, Fault, Studio, compare, count, kept_session, labels, place, ready, records, wait_for)
 
 SKIPPED = 77
-TAB_PAINT = (1078, 42)  # of the panels on the right
+TAB_LIGHTS = (977, 42)  # of the panels on the right
+TAB_PAINT = (1078, 42)
 ADD_LAYER = (1171, 69)  # the first button beside the heading "Layers"
 # The frames of a scene that moves, below the picture: the first frame on the ruler, and the button of new keys.
 RULER = (424, 588)
@@ -46,6 +47,7 @@ def edit_strokes(studio, project):
     before = len(records(project))
     studio.key("ctrl+z", "ctrl+z", "ctrl+z")
     wait_for("layer and strokes are as before", lambda: len(records(project)) == before + 3)
+    studio.click(*TAB_LIGHTS)
     studio.key("b")
 
 
