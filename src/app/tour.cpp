@@ -11,7 +11,7 @@ namespace luminist {
 namespace {
 
 constexpr std::array<const char*, 5> kSteps = {
-    "Paint the light you want to see: drag over the jug. A light follows your brush.",
+    "Paint the light you want to see: drag over what shall shine. A light follows your brush.",
     "Paint more, or look at what you asked for: F2 shows the paint, F1 the light again.",
     "The lights are a proposal. Enter accepts them; then you paint on their picture.",
     "N adds a second light. It waits, dark, for the paint that says where it shines.",
