@@ -46,7 +46,7 @@ float lit_by_sun(vec3 p, vec3 n, float shadow_slack) {
   for (int i = 0; i < taps; ++i) {
     float lift = kPull * softness * length(disc[i]) + max(-dot(slope, disc[i]), 0.0);
     vec2 uv = 0.5 + 0.5 * (seen.xy + softness * disc[i]) / extent;
-    lit += texture(depth_map, vec4(uv, 0.0, 0.5 - 0.5 * (seen.z - lift) / near_plane));
+    lit += texture(depth_map, vec4(uv, 0.0, max(0.5 - 0.5 * (seen.z - lift) / near_plane, 0.0)));
   }
   return lit / float(taps);
 }

@@ -124,6 +124,7 @@ bool Window::wait(double seconds) {
   } else {
     glfwPollEvents();
   }
+  static_cast<void>(pen_.pressure());  // it hears of all pointers, also over other windows
   return std::exchange(any_event_, false);
 }
 

@@ -75,7 +75,10 @@ Place place_of(const Vec3& v) {
 /// For each vertex of a mesh the one of the file, or -1.
 std::vector<int> origins(const std::vector<Vec3>& file, const std::vector<Vec3>& mesh) {
   std::map<Place, int> first;
-  for (std::size_t i = 0; i < file.size(); ++i) first.emplace(place_of(file[i]), static_cast<int>(i));
+  for (std::size_t i = 0; i < file.size(); ++i) {
+    // What is not a number has no order.
+    if (std::isfinite(file[i].x + file[i].y + file[i].z)) first.emplace(place_of(file[i]), static_cast<int>(i));
+  }
   std::vector<int> from;
   for (std::size_t i = 0; i < mesh.size(); ++i) {
     const auto found = first.find(place_of(mesh[i]));

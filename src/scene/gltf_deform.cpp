@@ -152,7 +152,7 @@ Result<Deformer> gltf_deformer(const tinygltf::Model& model, const tinygltf::Nod
       !node.weights.empty() ? node.weights : model.meshes[static_cast<std::size_t>(node.mesh)].weights;
   deformer.weights.assign(primitive.targets.size(), 0.0F);
   for (std::size_t k = 0; k < std::min(wanted.size(), deformer.weights.size()); ++k) {
-    deformer.weights[k] = static_cast<float>(wanted[k]);
+    deformer.weights[k] = std::isfinite(wanted[k]) ? static_cast<float>(std::clamp(wanted[k], -1e6, 1e6)) : 0.0F;
   }
   if (primitive.attributes.count("JOINTS_1") > 0) {
     diagnostics.warn(path, field + " hangs from more than four joints a vertex; the first four move it");

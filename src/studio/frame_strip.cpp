@@ -151,8 +151,10 @@ FrameFacts frame_facts(Session& session) {
   for (const PaintedFrame& painted : facts.painted) frames.push_back(painted.frame);
   frames.push_back(shot.frame);
   frames.push_back(facts.moving ? session.stage().moving->animation.seconds() * shot.fps : 2.0 * shot.fps);
-  facts.first = std::min(0, static_cast<int>(std::floor(*std::min_element(frames.begin(), frames.end()))));
-  facts.last = static_cast<int>(std::ceil(*std::max_element(frames.begin(), frames.end()) - 1e-6));
+  constexpr double kMost = 1e6;  // frames: more have no place on a ruler
+  const auto whole = [&](double frame) { return static_cast<int>(std::clamp(frame, -kMost, kMost)); };
+  facts.first = std::min(0, whole(std::floor(*std::min_element(frames.begin(), frames.end()))));
+  facts.last = whole(std::ceil(*std::max_element(frames.begin(), frames.end()) - 1e-6));
   if (const Solved* solved = session.solved(); solved != nullptr && session.has_proposal()) {
     for (const SolvedFrame& each : solved->frames) {
       facts.solved.push_back({each.frame, each.weight, each.start, each.found, each.verdict, {}});

@@ -48,7 +48,11 @@ Result<void> FreeView::look_from(const Camera& camera, int width, int height) {
   if (style_.engine == StyleEngine::kPath) {
     LUM_TRY(paths_, PathRenderer::create(scene_, fitted, style_, width, height));
   } else if (raster_) {
-    LUM_TRY_VOID(raster_->look_from(scene_, fitted, roots_, width, height));
+    auto looked = raster_->look_from(scene_, fitted, roots_, width, height);
+    if (!looked) {
+      raster_.reset();
+      return looked;
+    }
   } else {
     LUM_TRY(raster_, RasterRenderer::create(*device_, scene_, fitted, types_, style_, roots_, width, height));
   }

@@ -200,6 +200,7 @@ Result<void> Session::load_rig(const std::string& path, const std::filesystem::p
 }
 
 Result<void> Session::restyle(const std::string& name) {
+  if (name == shot_.style) return {};
   Shot shot = shot_;
   shot.style = name;
   LUM_TRY(auto stage, open_stage(*device_, roots_, shot, folder_, *diagnostics_, stage_->moving));

@@ -134,7 +134,9 @@ Result<void> Session::revert() {
 
 Result<void> Session::change_shown(const std::function<Result<void>(Session&)>& change) {
   if (!has_proposal()) return change(*this);
-  ParamState in_force = std::exchange(state_, ParamState(shown()));
+  ParamState lights = shown();
+  follow_with_keys(lights.rig, shot_.frame);
+  ParamState in_force = std::exchange(state_, std::move(lights));
   auto solve = std::exchange(solve_, std::nullopt);
   auto proposed = std::exchange(proposed_, std::nullopt);
   auto solved = std::exchange(solved_, std::nullopt);

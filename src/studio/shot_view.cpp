@@ -31,7 +31,9 @@ ShotView Session::view() {
 Result<void> ShotView::reframe(const std::string& camera, int width, int height) {
   Session& session = *session_;
   Shot shot = session.shot_;
-  shot.camera = camera;
+  const std::vector<std::string>& cameras = session.stage_->camera_names;
+  const auto whole = [&](const std::string& name) { return name.empty() && !cameras.empty() ? cameras.front() : name; };
+  if (whole(camera) != whole(shot.camera)) shot.camera = camera;
   shot.width = width;
   shot.height = height;
   if (same_stage(shot, session.shot_)) return {};

@@ -281,7 +281,7 @@ bool StudioThread::step() {
 /// One small picture of the strip. returns whether there was one to make.
 Result<bool> StudioThread::draw_frame() {
   const auto shown = latest()->shown;
-  if (!shown) return false;
+  if (!shown || !bench_->has_session()) return false;
   return frames_->step(bench_->session(), *shown);
 }
 

@@ -162,12 +162,14 @@ Result<void> Workbench::act(const Task& task, After after) {
     quick_painting_.reset();
     quick_stages_.clear();
     style_files_.reset();
+    offers_.reset();  // their style blocks may be of another schema
   }
   const bool moved = marks().first != before.first && marks().first + marks().second == before.first + before.second;
   const Solved* solved = session_->solved();
   const bool started = session_->has_proposal() && solved != nullptr &&
                        solved->report.termination == Termination::kRunning && solved->report.solver != "live";
-  const bool changed = marks() != before || session_->has_proposal() != proposed || started != solving_;
+  const bool changed =
+      session_->stage().id != stage || marks() != before || session_->has_proposal() != proposed || started != solving_;
   if (!changed && !trial_) return done;
   const KeptProposal* back = nullptr;
   if (moved) {

@@ -93,6 +93,7 @@ Result<bool> Workbench::refresh_style() {
   }
   if (!style_files_->changed()) return false;
   LUM_TRY_VOID(put_proposal());
+  offers_.reset();
   LUM_TRY_VOID(session_->reload_style());
   style_files_->follow(session_->stage().style);
   live_painting_.reset();

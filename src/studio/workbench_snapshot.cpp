@@ -77,8 +77,10 @@ Result<void> Workbench::refresh_pictures(StudioSnapshot& next) {
   if (!picture_) {
     if (trial_ || !solo_.empty()) {
       ParamState shown = shown_lights();
+      const bool any =
+          std::ranges::any_of(solo_, [&](const std::string& name) { return shown.rig.find(name) != nullptr; });
       for (Light& light : shown.rig.lights) {
-        const bool heard = solo_.empty() || std::find(solo_.begin(), solo_.end(), light.name) != solo_.end();
+        const bool heard = !any || std::find(solo_.begin(), solo_.end(), light.name) != solo_.end();
         light.muted = light.muted || !heard;
       }
       LUM_TRY(Image picture, session_->stage().renderer->render(shown));
