@@ -2,10 +2,13 @@
 import json
 import os
 import pathlib
+import shutil
 import signal
 import subprocess
+import sys
 import time
 
+SKIPPED = 77
 PATIENCE = 240  # seconds: a machine without a GPU that does other work, too
 # The window is 1280 x 720; its canvas lies between the panels, and the 640 x 480 picture fills it but for a margin.
 CANVAS = (278, 60, 944, 692)
@@ -72,7 +75,7 @@ class Studio:
         self.process = subprocess.Popen([self.luminist, *map(str, words)], env=self.env, cwd=self.output)
 
     def kill(self, heard=True):
-        """Ends the program at once. Unless that is heard of, it stays a zombie for now."""
+        """Ends the program at once. Unless that is heard of, it stays a zombie until the next start."""
         self.process.send_signal(signal.SIGKILL)
         if heard:
             self.process.wait()
@@ -158,3 +161,32 @@ def ready(studio):
 
     wait_for("the picture shows", shows)
     probe.unlink()
+
+
+def drive(play):
+    """play(studio, output) at a window of its own. Words: LUMINIST OUTPUT_FOLDER ... returns the exit status."""
+    missing = [tool for tool in ("Xvfb", "xdotool", "import", "identify", "compare") if not shutil.which(tool)]
+    if missing:
+        print(f"skipped: {', '.join(missing)} not installed (tools/packages test)")
+        return SKIPPED
+    luminist, output = str(pathlib.Path(sys.argv[1]).resolve()), pathlib.Path(sys.argv[2]).resolve()
+    shutil.rmtree(output, ignore_errors=True)
+    output.mkdir(parents=True)
+    with Display() as display:
+        studio = Studio(luminist, display.name, output / "state", output)
+        try:
+            play(studio, output)
+        except Fault as fault:
+            print(fault)
+            subprocess.run(["import", "-window", "root", output / "fault.png"], env=studio.env, check=False)
+            return 1
+        finally:
+            if studio.process and studio.process.poll() is None:
+                studio.kill()
+    return 0
+
+
+def replayed_rig(studio, project):
+    """The rig that a project's log comes to."""
+    subprocess.run([studio.luminist, "replay", project, "-o", studio.output / "replayed"], check=True)
+    return (studio.output / "replayed" / "rig.toml").read_text()

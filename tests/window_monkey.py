@@ -8,14 +8,12 @@ window_test.py needs; ends with status 77 without it. The memory that it took is
 """
 import pathlib
 import random
-import shutil
 import subprocess
 import sys
 import time
 
-from window_driver import Display, Fault, Studio, kept_session, ready, records, wait_for
+from window_driver import drive, kept_session, ready, records, replayed_rig, wait_for
 
-SKIPPED = 77
 KEYS = ("b a s e i n k v w h x g b p u Tab Escape Return Delete space bracketleft bracketright F1 F2 F3 F4 ctrl+z ctrl+shift+z "
         "ctrl+z ctrl+y shift+g 1 5 0 plus minus").split()  # none that ends the program or opens a dialog of files
 
@@ -58,7 +56,8 @@ def heard(studio):
     return float(subprocess.run(words, check=False, capture_output=True, text=True).stderr.split()[0]) > 10000
 
 
-def play(studio, actions, seed):
+def play(studio, _):
+    actions, seed = (int(word) for word in (sys.argv[3:] + ["200", "1"][len(sys.argv) - 3:]))
     chance = random.Random(seed)
     studio.start()
     project = kept_session(studio)
@@ -73,33 +72,8 @@ def play(studio, actions, seed):
     wait_for("Tab takes the panels away, or brings them back", lambda: heard(studio))
     print(f"monkey: {actions} actions, seed {seed}, {len(records(project))} records, {begin} kB then {memory(studio)} kB")
     studio.kill()
-    return project
-
-
-def main():
-    missing = [tool for tool in ("Xvfb", "xdotool", "import", "identify") if not shutil.which(tool)]
-    if missing:
-        print(f"skipped: {', '.join(missing)} not installed (tools/packages test)")
-        return SKIPPED
-    luminist, output = str(pathlib.Path(sys.argv[1]).resolve()), pathlib.Path(sys.argv[2]).resolve()
-    actions, seed = (int(word) for word in (sys.argv[3:] + ["200", "1"][len(sys.argv) - 3:]))
-    shutil.rmtree(output, ignore_errors=True)
-    output.mkdir(parents=True)
-    with Display() as display:
-        studio = Studio(luminist, display.name, output / "state", output)
-        try:
-            project = play(studio, actions, seed)
-        except Fault as fault:
-            print(fault)
-            subprocess.run(["import", "-window", "root", output / "fault.png"], env=studio.env, check=False)
-            return 1
-        finally:
-            if studio.process and studio.process.poll() is None:
-                studio.kill()
-    subprocess.run([luminist, "replay", project, "-o", output / "replayed"], check=True)
-    wait_for("its pictures are written", lambda: (output / "replayed" / "rig.toml").exists())
-    return 0
+    replayed_rig(studio, project)
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(drive(play))

@@ -6,13 +6,11 @@ usage: window_test.py LUMINIST OUTPUT_FOLDER
 Needs Xvfb, xdotool and ImageMagick's import; without one of them it says so and ends with status 77 (skipped).
 Screenshots of every step are left in the output folder.
 """
-import pathlib
-import shutil
 import subprocess
 import sys
 import time
 
-from window_driver import (ROOT, Display, Fault, Studio, compare, count, kept_session, labels, place, ready, records, wait_for)
+from window_driver import ROOT, Fault, compare, count, drive, kept_session, labels, place, ready, records, replayed_rig, wait_for
 
 SKIPPED = 77
 TAB_LIGHTS = (977, 42)  # of the panels on the right
@@ -227,42 +225,21 @@ def frames(studio):
     studio.kill()
 
 
-def main():
-    missing = [tool for tool in ("Xvfb", "xdotool", "import", "identify") if not shutil.which(tool)]
-    if missing:
-        print(f"skipped: {', '.join(missing)} not installed (tools/packages test)")
-        return SKIPPED
-    luminist, output = str(pathlib.Path(sys.argv[1]).resolve()), pathlib.Path(sys.argv[2]).resolve()
-    shutil.rmtree(output, ignore_errors=True)
-    output.mkdir(parents=True)
-    with Display() as display:
-        studio = Studio(luminist, display.name, output / "state", output)
-        try:
-            studio.start()
-            project = paint_and_accept(studio)
-            keep_the_list(studio, project)
-            close_menus_by_escape(studio)
-            look_from_anywhere(studio)
-            named = undo_redo_save(studio, project)
-            crash_and_reopen(studio, named)
-            recover_unsaved(studio)
-            frames(studio)
-        except Fault as fault:
-            studio.shots += 100
-            print(fault)
-            subprocess.run(["import", "-window", "root", output / "fault.png"], env=studio.env, check=False)
-            return 1
-        finally:
-            if studio.process and studio.process.poll() is None:
-                studio.kill()
-    subprocess.run([luminist, "replay", named, "-o", output / "replayed"], check=True)
-    rig = (output / "replayed" / "rig.toml").read_text()
-    if rig.count("[[light]]") != 1:
-        print(f"the replayed project has {rig.count('[[light]]')} lights, 1 was painted")
-        return 1
+def play(studio, output):
+    studio.start()
+    project = paint_and_accept(studio)
+    keep_the_list(studio, project)
+    close_menus_by_escape(studio)
+    look_from_anywhere(studio)
+    named = undo_redo_save(studio, project)
+    crash_and_reopen(studio, named)
+    recover_unsaved(studio)
+    frames(studio)
+    lights = replayed_rig(studio, named).count("[[light]]")
+    if lights != 1:
+        raise Fault(f"the replayed project has {lights} lights, 1 was painted")
     print(f"window: every step is recorded; screenshots in {output}")
-    return 0
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    sys.exit(drive(play))

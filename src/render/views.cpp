@@ -161,6 +161,10 @@ Result<double> Views::error_of(const ParamState& joint, int view) {
   return one.renderer->error(state_of(joint, view), one.target);
 }
 
+bool Views::estimates() const {
+  return std::ranges::any_of(views_, [](const View& view) { return view.renderer->estimates(); });
+}
+
 Result<Image> Views::render(const ParamState& joint, const RenderOptions& options) {
   std::vector<Image> pictures;
   for (int view = 0; view < count(); ++view) {

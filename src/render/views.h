@@ -44,6 +44,7 @@ class Views final : public Renderer {
   [[nodiscard]] const SurfaceBuffer& surface() const override { return surface_; }
   [[nodiscard]] SceneFrame frame() const override { return views_.front().renderer->frame(); }
   [[nodiscard]] const Style& style() const override { return style_; }
+  [[nodiscard]] bool estimates() const override;
   Result<Image> render(const ParamState& joint, const RenderOptions& options) override;
   Result<double> error(const ParamState& joint, const Target& target) override;
   Result<double> error(const ParamState& joint, const Target& target, std::span<const int> moving) override;

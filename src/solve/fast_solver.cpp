@@ -52,8 +52,7 @@ Result<void> FastSolver::prepare(std::shared_ptr<const EdgeMask> edges) {
   Target seen;
   if (metric.blur > 0.0F) seen = as_compared(*target_, metric);
   const CellSampler sampler(renderer_->surface(), metric.blur > 0.0F ? seen : *target_, std::move(edges));
-  const bool estimates = renderer_->style().engine == StyleEngine::kPath;
-  levels_ = fast_levels(sampler, progress_->options().seed, estimates);
+  levels_ = fast_levels(sampler, progress_->options().seed, renderer_->estimates());
   LUM_TRY(parts_, PictureParts::create(*renderer_, start, levels_[kScout].cells.samples));
   LUM_TRY(const auto still, shown(start, objective_.moving()));
   for (std::size_t level = 0; level < levels_.size(); ++level) {

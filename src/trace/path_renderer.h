@@ -34,6 +34,7 @@ class PathRenderer final : public Renderer {
   [[nodiscard]] const SurfaceBuffer& surface() const override;
   [[nodiscard]] SceneFrame frame() const override;
   [[nodiscard]] const Style& style() const override;
+  [[nodiscard]] bool estimates() const override { return true; }
   /// errors kStyle for a light type that the path tracer does not know; kCancelled.
   Result<Image> render(const ParamState& state, const RenderOptions& options = {}) override;
   using Renderer::error;

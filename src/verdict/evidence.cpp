@@ -33,7 +33,7 @@ Result<Evidence> Evidence::create(Renderer& renderer, const ParamState& state, c
   if (!all.target.empty()) {
     LUM_TRY_VOID(renderer.evaluate({&candidate, 1}, all.samples, {}, evidence.colors_));
   }
-  const bool estimates = renderer.style().engine == StyleEngine::kPath;
+  const bool estimates = renderer.estimates();
   evidence.total_now_ = all.error(evidence.colors_);
   for (std::size_t r = 0; r < evidence.regions_.size(); ++r) {
     evidence.shortfalls_.push_back(luminist::shortfall(evidence.regions_[r], target, picture));

@@ -47,6 +47,7 @@ class WholePictures final : public Renderer {
   [[nodiscard]] const SurfaceBuffer& surface() const override { return engine_->surface(); }
   [[nodiscard]] SceneFrame frame() const override { return engine_->frame(); }
   [[nodiscard]] const Style& style() const override { return engine_->style(); }
+  [[nodiscard]] bool estimates() const override { return engine_->estimates(); }
   Result<Image> render(const ParamState& state, const RenderOptions& options) override {
     return engine_->render(state, options);
   }

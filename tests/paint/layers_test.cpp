@@ -1,38 +1,17 @@
 // Layers of strokes: the composite is a function of the stack, however it came about.
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <random>
 
-#include "paint/ball.h"
-#include "support/fixtures.h"
+#include "paint/canvas_fixture.h"
 
 namespace luminist {
 namespace {
 
-constexpr int kWidth = 90;
-constexpr int kHeight = 70;
-constexpr std::size_t kMiddle = 35 * kWidth + 45;
-
-class LayersTest : public ::testing::Test {
+class LayersTest : public CanvasOnBall {
  protected:
-  LayersTest() { std::ofstream(folder_.file("x.exr")) << "read by the reader of the canvas"; }
-  [[nodiscard]] Canvas canvas() const {
-    return Canvas(
-        surface_, picture_,
-        [this]() -> Result<ShadowPair> {
-          return ShadowPair{varied_picture(kWidth, kHeight, 0.02F), varied_picture(kWidth, kHeight, 0.7F)};
-        },
-        [](const std::string& /*path*/) -> Result<Image> { return varied_picture(kWidth, kHeight, 0.5F); });
-  }
-  static void expect_same(const CanvasState& a, const CanvasState& b) {
-    EXPECT_EQ(a.target.color.data, b.target.color.data);
-    EXPECT_EQ(a.target.importance.data, b.target.importance.data);
-    EXPECT_EQ(a.target.stroke, b.target.stroke);
-    EXPECT_EQ(a.paint_left.data, b.paint_left.data);
-    EXPECT_EQ(a.importance.paint.data, b.importance.paint.data);
-    EXPECT_EQ(a.strokes, b.strokes);
-  }
+  static constexpr std::size_t kMiddle = 35 * kWidth + 45;
+
   /// The layers of a canvas laid once more from nothing.
   Canvas again(const Canvas& canvas) {
     Canvas other = canvas;

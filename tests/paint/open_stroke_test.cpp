@@ -1,40 +1,21 @@
 #include <gtest/gtest.h>
 
-#include <fstream>
 #include <limits>
 
-#include "paint/ball.h"
-#include "support/fixtures.h"
+#include "paint/canvas_fixture.h"
 
 namespace luminist {
 namespace {
 
-constexpr int kWidth = 90;
-constexpr int kHeight = 70;
-
-class OpenStrokeTest : public ::testing::Test {
+class OpenStrokeTest : public CanvasOnBall {
  protected:
-  OpenStrokeTest() { std::ofstream(folder_.file("x.exr")) << "read by the reader of the canvas"; }
-  [[nodiscard]] Canvas canvas() const {
-    return Canvas(
-        surface_, picture_,
-        [this]() -> Result<ShadowPair> {
-          return ShadowPair{varied_picture(kWidth, kHeight, 0.02F), varied_picture(kWidth, kHeight, 0.7F)};
-        },
-        [](const std::string& /*path*/) -> Result<Image> { return varied_picture(kWidth, kHeight, 0.5F); });
-  }
   /// Across the ball and its edge, with a loop over itself.
   static std::vector<StrokePoint> points() {
     return {{0.4F, 0.4F, 1.0F}, {0.5F, 0.5F, 0.7F},  {0.7F, 0.45F, 1.0F}, {0.6F, 0.3F, 0.4F},
             {0.5F, 0.5F, 1.0F}, {0.95F, 0.9F, 0.2F}, {0.9F, 0.2F, 1.0F}};
   }
   static void expect_same(const CanvasState& a, const CanvasState& b) {
-    EXPECT_EQ(a.target.color.data, b.target.color.data);
-    EXPECT_EQ(a.target.importance.data, b.target.importance.data);
-    EXPECT_EQ(a.target.stroke, b.target.stroke);
-    EXPECT_EQ(a.paint_left.data, b.paint_left.data);
-    EXPECT_EQ(a.importance.paint.data, b.importance.paint.data);
-    EXPECT_EQ(a.strokes, b.strokes);
+    CanvasOnBall::expect_same(a, b);
     EXPECT_EQ(a.peak.has_value(), b.peak.has_value());
   }
   /// Paint of both kinds underneath.
@@ -43,10 +24,6 @@ class OpenStrokeTest : public ::testing::Test {
     brush.diameter = 0.3F;
     LUM_EXPECT_OK(c.apply(click(brush, 0.6F, 0.4F), ""));
   }
-
-  TemporaryFolder folder_;
-  SurfaceBuffer surface_ = ball_surface(kWidth, kHeight);
-  Image picture_ = varied_picture(kWidth, kHeight);
 };
 
 TEST_F(OpenStrokeTest, PaintsTheSameBitsPointByPointAsAtOnceWithEveryTool) {

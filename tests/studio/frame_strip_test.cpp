@@ -6,30 +6,16 @@
 #include <mutex>
 #include <thread>
 
-#include "studio/session_fixture.h"
+#include "studio/moving_session.h"
 #include "studio/studio_thread.h"
 
 namespace luminist {
 namespace {
 
-class FrameStripTest : public SessionTest {
+class FrameStripTest : public MovingSessionTest {
  protected:
   void SetUp() override {
-    SessionTest::SetUp();
-    LUM_ASSERT_OK(Scene scene, load_scene(folder_.file("ball.obj"), {}, diagnostics_));
-    scene.animation.nodes.push_back({.name = "lift"});
-    Track rise;
-    rise.times = {0.0F, 1.0F};
-    rise.values = {Vec4(0.0F), Vec4(0.0F, 2.0F, 0.0F, 0.0F)};
-    scene.animation.tracks.push_back(std::move(rise));
-    scene.objects[0].mount.node = 0;
-    hang(scene);
-    LUM_EXPECT_OK(save_scene(scene, folder_.file("rising.glb")));
-    moving_ = shot();
-    moving_.scene = folder_.file("rising.glb");
-    auto session = Session::open(*device_, roots_, moving_, folder_.path(), diagnostics_);
-    ASSERT_TRUE(session) << session.error().message();
-    session_ = std::move(*session);
+    MovingSessionTest::SetUp();
     NewLight plain;
     plain.from_paint = false;
     LUM_ASSERT_OK([[maybe_unused]] const std::string name, session_->add_light(plain));
@@ -52,7 +38,6 @@ class FrameStripTest : public SessionTest {
     return *snapshot.frames;
   }
 
-  Shot moving_;
   std::unique_ptr<FrameStrip> strip_;
 };
 

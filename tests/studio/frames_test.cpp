@@ -3,42 +3,20 @@
 
 #include "base/process.h"
 #include "image_io/image_io.h"
+#include "studio/moving_session.h"
 #include "studio/sequence.h"
-#include "studio/session_fixture.h"
 
 namespace luminist {
 namespace {
 
-/// The ball rises by its diameter in one second.
-class FramesTest : public SessionTest {
+class FramesTest : public MovingSessionTest {
  protected:
-  void SetUp() override {
-    SessionTest::SetUp();
-    LUM_ASSERT_OK(Scene scene, load_scene(folder_.file("ball.obj"), {}, diagnostics_));
-    scene.animation.nodes.push_back({.name = "lift"});
-    Track rise;
-    rise.times = {0.0F, 1.0F};
-    rise.values = {Vec4(0.0F), Vec4(0.0F, 2.0F, 0.0F, 0.0F)};
-    scene.animation.tracks.push_back(std::move(rise));
-    scene.objects[0].mount.node = 0;
-    hang(scene);
-    LUM_EXPECT_OK(save_scene(scene, folder_.file("rising.glb")));
-    Shot moving = shot();
-    moving.scene = folder_.file("rising.glb");
-    auto session = Session::open(*device_, roots_, moving, folder_.path(), diagnostics_);
-    ASSERT_TRUE(session) << session.error().message();
-    session_ = std::move(*session);
-  }
   [[nodiscard]] float key_height() {
     const Light& light = *session_->state().rig.find("light");
     return light.params.vec3(*light.params.schema().find("position")).y;
   }
   void set_height(double y) { LUM_EXPECT_OK(session_->set({fmt::format("lights/light/position=0,{},3", y)})); }
-  Sequence sequence(const std::string& pattern) {
-    Shot moving = session_->shot();
-    moving.scene = folder_.file("rising.glb");
-    return {moving, {0, 12, 24}, folder_.file(pattern), {}, {}, false};
-  }
+  Sequence sequence(const std::string& pattern) { return {moving_, {0, 12, 24}, folder_.file(pattern), {}, {}, false}; }
   /// Frames that were rendered, not those that were there.
   std::vector<int> rendered(const Sequence& sequence) {
     std::vector<int> frames;
