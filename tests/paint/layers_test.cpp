@@ -48,10 +48,7 @@ class LayersTest : public CanvasOnBall {
     return click(brush, 0.6F, 0.5F);
   }
 
-  TemporaryFolder folder_;
   std::mt19937 random_{7};
-  SurfaceBuffer surface_ = ball_surface(kWidth, kHeight);
-  Image picture_ = varied_picture(kWidth, kHeight);
 };
 
 TEST_F(LayersTest, StrokesLaidAgainAreTheSameBits) {
