@@ -33,6 +33,7 @@ class RasterRenderer final : public Renderer {
   [[nodiscard]] const SurfaceBuffer& surface() const override;
   [[nodiscard]] SceneFrame frame() const override;
   [[nodiscard]] const Style& style() const override;
+  [[nodiscard]] bool estimates() const override { return false; }
   Result<Image> render(const ParamState& state, const RenderOptions& options = {}) override;
   Result<double> error(const ParamState& state, const Target& target) override;
   /// Keeps the sum of the lights that do not move, if the style sums its lights. memory 16 bytes a sample.

@@ -64,7 +64,7 @@ class Renderer {
   [[nodiscard]] virtual SceneFrame frame() const = 0;
   [[nodiscard]] virtual const Style& style() const = 0;
   /// Whether pictures and samples are estimates, which differ by chance from what more of them would come to.
-  [[nodiscard]] virtual bool estimates() const { return false; }
+  [[nodiscard]] virtual bool estimates() const = 0;
 
   /// The picture: 3 channels, linear RGB, antialiased, not clamped. Background is black.
   /// errors kGl, kLimit; kStyle if more than 1 % of the pixels are not finite (fewer become 0).

@@ -211,7 +211,7 @@ std::string picture_key(const RigLight& light) {
                                       light.shadow_position.z,
                                       light.half_side};
   std::string key(reinterpret_cast<const char*>(numbers.data()), sizeof(numbers));
-  return key.append(light.unlit.begin(), light.unlit.end());
+  return key.append(light.unlit.data(), light.unlit.size());
 }
 
 }  // namespace luminist

@@ -16,6 +16,7 @@ class WatchedRenderer final : public Renderer {
   [[nodiscard]] const SurfaceBuffer& surface() const override { return engine_->surface(); }
   [[nodiscard]] SceneFrame frame() const override { return engine_->frame(); }
   [[nodiscard]] const Style& style() const override { return engine_->style(); }
+  [[nodiscard]] bool estimates() const override { return engine_->estimates(); }
   [[nodiscard]] const WorkCount& work() const override { return engine_->work(); }
   Result<Image> render(const ParamState& state, const RenderOptions& options = {}) override {
     if (!goes_on()) return cancelled();

@@ -24,6 +24,7 @@ class FakeRenderer final : public Renderer {
   [[nodiscard]] const SurfaceBuffer& surface() const override { return surface_; }
   [[nodiscard]] SceneFrame frame() const override { return {Vec3(0.0F, 0.5F, 0.0F), 1.6F}; }
   [[nodiscard]] const Style& style() const override { return style_; }
+  [[nodiscard]] bool estimates() const override { return false; }
   Result<Image> render(const ParamState& state, const RenderOptions& options) override;
   using Renderer::error;
   Result<double> error(const ParamState& state, const Target& target) override;

@@ -91,7 +91,7 @@ class CalibrationTest : public RendererTest {
     solve_on(solve, known.steps);
     LUM_ASSERT_OK(const Image picture, scene.renderer->render(solve.best()));
     LUM_ASSERT_OK(const Verdict verdict,
-                  judge(*scene.renderer, solve.best(), known.target, picture, {&scene.prototype}));
+                  judge(*scene.renderer, solve.best(), known.target, picture, {&scene.prototype, {}}));
     Cause named = Cause::kNone;
     for (const StrokeVerdict& stroke : verdict.strokes) {
       if (named == Cause::kNone) named = stroke.cause;

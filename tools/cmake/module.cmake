@@ -4,6 +4,7 @@
 # into the executable NAME_test and registers it with ctest. tools/check_layers.py reads the DEPS of the same line.
 function(luminist_options target)
   target_include_directories(${target} PUBLIC ${CMAKE_SOURCE_DIR}/src)
+  target_compile_definitions(${target} PUBLIC GLM_FORCE_EXPLICIT_CTOR GLM_FORCE_DEPTH_ZERO_TO_ONE)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wshadow -Wnon-virtual-dtor)
   if(LUMINIST_WERROR)
     target_compile_options(${target} PRIVATE -Werror)
@@ -14,14 +15,41 @@ function(luminist_options target)
     target_compile_options(${target} PRIVATE -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
     target_link_options(${target} PRIVATE -fsanitize=address,undefined)
   endif()
+  if(NOT target MATCHES "^lum_precompiled")
+    target_precompile_headers(${target} REUSE_FROM lum_precompiled)
+  endif()
 endfunction()
+
+# For a target in tests/: what they compute with is in the modules, so they are compiled fast rather than to be fast.
+function(luminist_test_options target)
+  luminist_options(${target})
+  target_compile_options(${target} PRIVATE -O1)
+  if(NOT target MATCHES "^lum_precompiled")
+    set_target_properties(${target} PROPERTIES PRECOMPILE_HEADERS_REUSE_FROM lum_precompiled_for_tests)
+  endif()
+endfunction()
+
+# The headers that nearly every file reads are read once, which takes a seventh off the build. Files include what they
+# use all the same: -D CMAKE_DISABLE_PRECOMPILE_HEADERS=ON builds without.
+set(common_headers <algorithm> <array> <cmath> <filesystem> <functional> <map> <memory> <optional> <span> <string> <vector>
+    <fmt/format.h> <glm/glm.hpp>)
+set(nothing ${CMAKE_BINARY_DIR}/nothing.cpp)
+file(CONFIGURE OUTPUT ${nothing} CONTENT "")
+add_library(lum_precompiled OBJECT ${nothing})
+luminist_options(lum_precompiled)
+target_link_libraries(lum_precompiled PRIVATE glm::glm fmt::fmt)
+target_precompile_headers(lum_precompiled PRIVATE ${common_headers})
+add_library(lum_precompiled_for_tests OBJECT ${nothing})
+luminist_test_options(lum_precompiled_for_tests)
+target_link_libraries(lum_precompiled_for_tests PRIVATE glm::glm fmt::fmt GTest::gtest)
+target_precompile_headers(lum_precompiled_for_tests PRIVATE ${common_headers} <gtest/gtest.h>)
 
 # luminist_tests(NAME): tests/NAME/*_test.cpp, of the library lum_NAME, as the executable NAME_test.
 function(luminist_tests name)
   file(GLOB tests CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/${name}/*_test.cpp)
   if(tests)
     add_executable(${name}_test ${tests})
-    luminist_options(${name}_test)
+    luminist_test_options(${name}_test)
     target_include_directories(${name}_test PRIVATE ${CMAKE_SOURCE_DIR}/tests)
     target_link_libraries(${name}_test PRIVATE lum_${name} lum_test_support GTest::gtest GTest::gtest_main)
     add_test(NAME ${name} COMMAND ${name}_test WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
