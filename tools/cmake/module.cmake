@@ -1,7 +1,8 @@
-# luminist_module(NAME DEPS other modules... [LIBS public libraries...] [PRIVATE_LIBS libraries...])
+# luminist_module(NAME DEPS other modules... [LIBS public libraries...] [PRIVATE_LIBS libraries...] [TEST_SHARDS n])
 #
 # The only declaration of a module. It builds src/NAME/*.cpp into the library lum_NAME, builds tests/NAME/*_test.cpp
-# into the executable NAME_test and registers it with ctest. tools/check_layers.py reads the DEPS of the same line.
+# into the executable NAME_test and registers it with ctest, in n parts that run side by side: NAME, NAME.2, ...
+# tools/check_layers.py reads the DEPS of the same line.
 function(luminist_options target)
   target_include_directories(${target} PUBLIC ${CMAKE_SOURCE_DIR}/src)
   target_compile_definitions(${target} PUBLIC GLM_FORCE_EXPLICIT_CTOR GLM_FORCE_DEPTH_ZERO_TO_ONE)
@@ -44,26 +45,38 @@ luminist_test_options(lum_precompiled_for_tests)
 target_link_libraries(lum_precompiled_for_tests PRIVATE glm::glm fmt::fmt GTest::gtest)
 target_precompile_headers(lum_precompiled_for_tests PRIVATE ${common_headers} <gtest/gtest.h>)
 
-# luminist_tests(NAME): tests/NAME/*_test.cpp, of the library lum_NAME, as the executable NAME_test.
+# luminist_tests(NAME [n]): tests/NAME/*_test.cpp, of the library lum_NAME, as the executable NAME_test, in n parts.
 function(luminist_tests name)
+  set(shards ${ARGN})
+  if(NOT shards)
+    set(shards 1)
+  endif()
   file(GLOB tests CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/tests/${name}/*_test.cpp)
   if(tests)
     add_executable(${name}_test ${tests})
     luminist_test_options(${name}_test)
     target_include_directories(${name}_test PRIVATE ${CMAKE_SOURCE_DIR}/tests)
     target_link_libraries(${name}_test PRIVATE lum_${name} lum_test_support GTest::gtest GTest::gtest_main)
-    add_test(NAME ${name} COMMAND ${name}_test WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
-    set_tests_properties(${name} PROPERTIES TIMEOUT 1200 ENVIRONMENT "LUMINIST_CACHE=${CMAKE_BINARY_DIR}/cache")
+    foreach(shard RANGE 1 ${shards})
+      set(part ${name})
+      if(shard GREATER 1)
+        set(part ${name}.${shard})
+      endif()
+      math(EXPR index "${shard} - 1")
+      add_test(NAME ${part} COMMAND ${name}_test WORKING_DIRECTORY ${CMAKE_SOURCE_DIR})
+      set_tests_properties(${part} PROPERTIES TIMEOUT 1200
+        ENVIRONMENT "LUMINIST_CACHE=${CMAKE_BINARY_DIR}/cache;GTEST_TOTAL_SHARDS=${shards};GTEST_SHARD_INDEX=${index}")
+    endforeach()
   endif()
 endfunction()
 
 function(luminist_module name)
-  cmake_parse_arguments(M "" "" "DEPS;LIBS;PRIVATE_LIBS" ${ARGN})
+  cmake_parse_arguments(M "" "TEST_SHARDS" "DEPS;LIBS;PRIVATE_LIBS" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/${name}/*.cpp)
   add_library(lum_${name} STATIC ${sources})
   luminist_options(lum_${name})
   list(TRANSFORM M_DEPS PREPEND lum_)
   target_link_libraries(lum_${name} PUBLIC ${M_DEPS} ${M_LIBS} PRIVATE ${M_PRIVATE_LIBS})
 
-  luminist_tests(${name})
+  luminist_tests(${name} ${M_TEST_SHARDS})
 endfunction()
