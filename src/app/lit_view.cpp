@@ -28,14 +28,16 @@ bool same(const LitView::Wish& one, const LitView::Wish& other) {
 }  // namespace
 
 void LitView::ask_solid(Desk& desk) {
-  if (waiting_) return;
+  if (waiting_ || unreadable_) return;
   waiting_ = true;
   asked_ = {};
   answer_ = std::make_shared<Answer>();
-  desk.studio->act("read the scene", [answer = answer_](Session& session) -> Result<void> {
-    auto view = session.view().from_anywhere();
+  desk.studio->post("read the scene", [answer = answer_](Workbench& bench) -> Result<void> {
+    if (!bench.has_session()) return {};
+    auto view = bench.session().view().from_anywhere();
     const std::lock_guard lock(answer->mutex);
     answer->done = true;
+    answer->unreadable = !view;
     if (!view) return std::move(view).error();
     answer->solid = (*view)->solid();
     return {};
@@ -49,9 +51,11 @@ void LitView::ask(Desk& desk, Wish wish) {
   waiting_ = true;
   asked_ = wish;
   answer_ = std::make_shared<Answer>();
-  desk.studio->act("light the view", [answer = answer_, wish](Session& session) -> Result<void> {
+  // Only looked at: whatever is under way in the session, a slider that is held as well, goes on.
+  desk.studio->post("light the view", [answer = answer_, wish](Workbench& bench) -> Result<void> {
+    if (!bench.has_session()) return {};
     const auto picture = [&]() -> Result<Image> {
-      LUM_TRY(FreeView * view, session.view().from_anywhere());
+      LUM_TRY(FreeView * view, bench.session().view().from_anywhere());
       return view->picture(wish.camera, wish.width, wish.height, *wish.lights);
     };
     auto drawn = picture();
@@ -71,6 +75,7 @@ void LitView::take(const Desk& desk) {
     if (answer_->done || dropped) {
       waiting_ = false;
       overdue_ = 0;
+      unreadable_ = unreadable_ || answer_->unreadable;
       if (answer_->solid) solid_ = answer_->solid;
       if (answer_->picture) {
         picture_ = answer_->picture;
@@ -96,6 +101,7 @@ bool LitView::shows(const Camera& camera) const {
 
 void LitView::forget() {
   waiting_ = false;  // what is on its way shows the other shot
+  unreadable_ = false;
   answer_.reset();
   shown_.reset();
   picture_.reset();

@@ -40,6 +40,7 @@ class LitView {
   struct Answer {
     std::mutex mutex;
     bool done = false;
+    bool unreadable = false;  ///< there are no triangles, which was told
     std::shared_ptr<const SolidScene> solid;
     std::shared_ptr<const Image> picture;  ///< null: it went wrong, which was told
   };
@@ -47,7 +48,8 @@ class LitView {
 
   std::shared_ptr<Answer> answer_;  ///< of what is on its way
   bool waiting_ = false;
-  int overdue_ = 0;  ///< frames in which nobody works on what is on its way
+  bool unreadable_ = false;  ///< the scene is not asked for again
+  int overdue_ = 0;          ///< frames in which nobody works on what is on its way
   Wish asked_;
   std::optional<Wish> shown_;  ///< what picture_ is of; none: nothing
   std::shared_ptr<const Image> picture_;

@@ -1,5 +1,6 @@
 #include "app/orbit_panel.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -28,8 +29,9 @@ ParamState seen_lights(const Desk& desk, const std::vector<std::string>& turned)
   ParamState state = *desk.now->shown;
   for (const std::string& assignment : turned) static_cast<void>(set_path(state, assignment));
   if (!turned.empty()) keep_constraints(state.rig);
-  for (Light& light : state.rig.lights)
-    light.muted = light.muted || (!desk.solo.empty() && !desk.solo.contains(light.name));
+  const auto alone = [&](const Light& light) { return desk.solo.contains(light.name); };
+  const bool any = std::ranges::any_of(state.rig.lights, alone);
+  for (Light& light : state.rig.lights) light.muted = light.muted || (any && !alone(light));
   return state;
 }
 
@@ -37,7 +39,8 @@ ParamState seen_lights(const Desk& desk, const std::vector<std::string>& turned)
 
 void OrbitPanel::begin(Desk& desk) {
   lit_.take(desk);
-  if (lit_.solid() && lit_.solid() != solid_.solid()) {
+  if (lit_.solid() && lit_.solid() != tried_) {
+    tried_ = lit_.solid();
     if (auto loaded = solid_.load(desk.roots, lit_.solid()); !loaded) {
       desk.tell(StudioMessage::Kind::kError, loaded.error().message());
     }

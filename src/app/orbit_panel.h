@@ -44,8 +44,9 @@ class OrbitPanel {
   std::shared_ptr<const ShotFacts> facts_;  ///< whose scene is looked at
   LitView lit_;
   SolidView solid_;
-  bool plain_ = false;  ///< also where the eye rests
-  float floor_ = 0.0F;  ///< height of the lowest surface
+  std::shared_ptr<const SolidScene> tried_;  ///< what solid_ was to hold last
+  bool plain_ = false;                       ///< also where the eye rests
+  float floor_ = 0.0F;                       ///< height of the lowest surface
   OrbitEye eye_;
   Camera camera_;
   double moved_ = 0.0;  ///< when the eye did, in seconds of the window's clock

@@ -123,7 +123,8 @@ void ShotsPanel::strip(Desk& desk, const FrameFacts& facts) {
   const Theme& theme = desk.theme;
   const Shot& shot = desk.now->facts->shot;
   const float height = theme.px(kPictureHeight);
-  const float width = std::floor(height * static_cast<float>(shot.width) / static_cast<float>(shot.height));
+  const float width =
+      std::max(1.0F, std::floor(height * static_cast<float>(shot.width) / static_cast<float>(shot.height)));
   const float gap = theme.px(4.0F);
   const float controls = theme.px(64.0F);
   const float room = ImGui::GetContentRegionAvail().x - controls;

@@ -50,7 +50,9 @@ Result<ObjectMask> clip_mask(const Stroke& stroke, const SurfaceBuffer& surface)
 float CanvasState::importance_at(std::size_t pixel) const {
   const std::uint32_t number = target.stroke[pixel];
   if (!layers.counts.empty()) {
-    if (const auto counts = layers.counts.find(number); counts != layers.counts.end()) return counts->second;
+    if (const auto counts = layers.counts.find(number); counts != layers.counts.end()) {
+      return importance.over(pixel, counts->second);
+    }
   }
   return importance.at(pixel, number != 0);
 }
@@ -101,6 +103,8 @@ bool Canvas::painted() const {
 
 void Canvas::set_importance(float nu, float delta) {
   LUM_CHECK(nu >= 0.0F && nu <= 1.0F && delta >= 0.0F && delta <= 1.0F, "nu and delta are weights");
+  // Whoever turns them means what is not painted, whatever a remedy has said of it before.
+  if (nu != state_.importance.nu || delta != state_.importance.delta) state_.layers.counts.erase(0);
   state_.importance.nu = nu;
   state_.importance.delta = delta;
   refresh_importance(everywhere());

@@ -28,10 +28,7 @@ Underlay Canvas::underlay() const {
 /// The active layer can be painted on from here on.
 Result<void> Canvas::prepare_layer() {
   const LayerStack& stack = state_.layers;
-  if (!stack.shows(stack.active)) {
-    return Error{ErrorKind::kUsage, fmt::format("\"{}\" is hidden", stack.layers[stack.active].name), "", "layer",
-                 "show the layer to paint on it"};
-  }
+  LUM_TRY_VOID(check_paintable(stack));
   if (stack.lies_flat()) {
     work_.reset();
     return {};

@@ -9,7 +9,10 @@ float ImportanceMap::implied(std::size_t pixel, bool painted) const {
 }
 
 float ImportanceMap::at(std::size_t pixel, bool painted) const {
-  const float below = implied(pixel, painted);
+  return over(pixel, implied(pixel, painted));
+}
+
+float ImportanceMap::over(std::size_t pixel, float below) const {
   if (paint.empty()) return below;
   return paint.data[2 * pixel] + (1.0F - paint.data[2 * pixel + 1]) * below;
 }

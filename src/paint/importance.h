@@ -16,6 +16,8 @@ struct ImportanceMap {
 
   [[nodiscard]] float implied(std::size_t pixel, bool painted) const;
   [[nodiscard]] float at(std::size_t pixel, bool painted) const;
+  /// What importance paint makes of what counts below it.
+  [[nodiscard]] float over(std::size_t pixel, float below) const;
 };
 
 /// Puts paint down on importance paint (value x weight, weight). amount in [0,1].

@@ -98,6 +98,12 @@ Result<void> check_stack(const LayerStack& stack) {
   return {};
 }
 
+Result<void> check_paintable(const LayerStack& stack) {
+  if (stack.shows(stack.active)) return {};
+  return Error{ErrorKind::kUsage, fmt::format("\"{}\" is hidden", stack.layers[stack.active].name), "", "layer",
+               "show the layer to paint on it"};
+}
+
 std::vector<std::uint32_t> strokes_under(const LayerStack& stack, const SurfaceBuffer& surface, const Vec2& place) {
   std::vector<std::uint32_t> found;
   const int x = static_cast<int>(std::floor(place.x * static_cast<float>(surface.height)));

@@ -34,7 +34,7 @@ struct PaintLayer {
 struct LayerStack {
   std::vector<PaintLayer> layers = {{.name = "Layer 1"}};              ///< lowest first, never empty
   std::map<std::uint32_t, std::shared_ptr<const KeptStroke>> strokes;  ///< each in one layer
-  std::map<std::uint32_t, float> counts;      ///< importance of a stroke's pixels, over all else; 0: of those unpainted
+  std::map<std::uint32_t, float> counts;      ///< importance of a stroke's pixels; 0: of those unpainted
   std::shared_ptr<const PaintPlanes> ground;  ///< paint under all layers whose strokes are not known; may be null
   std::size_t active = 0;                     ///< the layer that is painted on; a document does not keep it
 
@@ -52,6 +52,9 @@ struct LayerStack {
 /// Names that are there and differ, opacities in [0,1], every stroke in one layer, strokes that check_stroke() takes.
 /// errors kBadContent naming layer or stroke.
 Result<void> check_stack(const LayerStack& stack);
+
+/// The active layer is shown. errors kUsage.
+Result<void> check_paintable(const LayerStack& stack);
 
 /// Strokes under a place of the picture (as a StrokePoint), the uppermost first: those of layers that are shown, whose
 /// brush covers it. surface: of any size, of the same picture.

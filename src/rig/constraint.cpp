@@ -105,7 +105,7 @@ void put_in_place(const LightRig& rig, Light& light) {
 void mirror(const Light& leader, const Plane& plane, Light& light) {
   ParamBlock& params = light.params;
   const ParamSchema& schema = params.schema();
-  if (&schema != &leader.params.schema()) return;
+  if (light.type != leader.type || schema.dofs() != leader.params.schema().dofs()) return;
   const DVec3 normal = glm::normalize(DVec3(plane.normal));
   for (int param = 0; param < schema.size(); ++param) {
     const bool place = schema[param].role == "position" && schema[param].components() == 3;

@@ -19,7 +19,7 @@ struct Node {
   Vec3 translation{0.0F};
   glm::quat rotation{1.0F, 0.0F, 0.0F, 0.0F};  ///< unit; w first
   Vec3 scale{1.0F};
-  std::optional<Mat4> matrix;  ///< in place of the three, which then cannot move
+  std::optional<Mat4> matrix = std::nullopt;  ///< in place of the three, which then cannot move
 };
 
 /// One property of one node over time. Before the first and after the last time it stands still.

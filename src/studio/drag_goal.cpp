@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "studio/paint_layers.h"
+
 namespace luminist {
 namespace {
 
@@ -257,6 +259,8 @@ Result<std::string> dragged_light(Session& session, const Drag& drag) {
 Result<std::string> start_drag(Session& session, const Drag& drag, const SolveOptions& options) {
   LUM_TRY(const std::string name, dragged_light(session, drag));
   LUM_TRY(const StrokeFile strokes, drag_strokes(session, drag));
+  LUM_TRY(const LayerStack layers, session.layers().stack());
+  LUM_TRY_VOID(check_paintable(layers));
   if (session.has_proposal()) LUM_TRY_VOID(session.adopt());
   LUM_TRY_VOID(session.paint(strokes, "strokes"));
   ParamState start = freed(session.state(), name);

@@ -157,8 +157,9 @@ Result<void> PaintLayers::merge_down(const std::string& layer) {
   PaintLayer& below = next.layers[index - 1];
   PaintLayer& above = next.layers[index];
   if (!next.shows(index) || !next.shows(index - 1)) return refused("one of the two is hidden", "layer", "show both");
+  const bool paint_below = !below.strokes.empty() || (next.ground && index - 1 == next.lowest_shown());
   for (const std::uint32_t stroke : above.strokes) {
-    if (next.strokes.at(stroke)->stroke.brush.tool != PaintTool::kErase || below.strokes.empty()) continue;
+    if (next.strokes.at(stroke)->stroke.brush.tool != PaintTool::kErase || !paint_below) continue;
     return refused(fmt::format("stroke {} would erase what is painted on {}", stroke, below.name), "layer",
                    "delete that stroke, or leave the layers apart");
   }

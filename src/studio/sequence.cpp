@@ -158,7 +158,8 @@ Result<void> make_strip(const std::vector<std::string>& frames, int column_width
   std::vector<Image> pictures;
   Image strip(0, 0, 3);
   for (Result<Image>& read : read_images(sources)) {
-    LUM_TRY(Image picture, std::move(read));
+    if (!read) return std::move(read).error();
+    Image picture = std::move(*read);
     const int width = std::min(column_width, picture.width);
     const int height = std::max(1, width * picture.height / picture.width);
     pictures.push_back(width < picture.width ? resized(picture, width, height) : std::move(picture));

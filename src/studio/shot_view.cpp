@@ -1,5 +1,7 @@
 #include "studio/shot_view.h"
 
+#include <map>
+#include <string>
 #include <utility>
 
 #include <fmt/format.h>
@@ -12,9 +14,14 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// The paint of this frame and of all others, and what counted before.
+/// The paint of this frame and of all others, and what counted before; how much counts what is not painted stays.
 void forget_paint(Document& document) {
+  std::map<std::string, std::string> kept;
+  for (const char* path : {"paint/nu", "paint/delta"}) {
+    if (const std::string_view value = document.get(path); !value.empty()) kept[path] = value;
+  }
   document.erase_below("paint/");
+  for (const auto& [path, value] : kept) document.set(path, value);
   std::vector<std::string> gone;
   for (const auto& [path, value] : document.entries()) {
     if (path.starts_with("frames/") && path.find("/paint/") != std::string::npos) gone.push_back(path);

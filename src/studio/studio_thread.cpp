@@ -238,7 +238,9 @@ void StudioThread::work(Entry entry) {
       if (bench_->has_session()) result = bench_->preview(entry.assignments);
       break;
     case Entry::Kind::kFrame:
-      if (bench_->has_session()) result = frames_->preview(bench_->session(), *latest()->shown, entry.frame);
+      if (const auto now = latest(); bench_->has_session() && now && now->shown) {
+        result = frames_->preview(bench_->session(), *now->shown, entry.frame);
+      }
       break;
   }
   attend(result);

@@ -115,5 +115,40 @@ TEST(Importance, PaintAloneIsNoPaintInColour) {
   EXPECT_GT(canvas.target().importance.at(kSize / 2, kSize / 2, 0), 0.9F);
 }
 
+/// A canvas in which a verdict's remedy has said how much counts what is not painted.
+struct Remedied {
+  SurfaceBuffer surface = ball_surface(kSize, kSize);
+  Canvas canvas{surface, Image(kSize, kSize, 3), no_shadows()};
+
+  Remedied() {
+    canvas.set_importance(0.3F, 0.5F);
+    LayerStack layers;
+    layers.counts[0] = 0.05F;
+    LUM_EXPECT_OK(canvas.relayer(std::move(layers), ""));
+  }
+  [[nodiscard]] float corner() const { return canvas.target().importance.at(0, 0, 0); }
+  [[nodiscard]] float middle() const { return canvas.target().importance.at(kSize / 2, kSize / 2, 0); }
+};
+
+TEST(Importance, PaintedWinsOverWhatARemedySays) {
+  Remedied r;
+  EXPECT_FLOAT_EQ(r.middle(), 0.05F);
+  Brush brush;
+  brush.tool = PaintTool::kImportance;
+  brush.importance = 0.8F;
+  brush.diameter = 0.5F;
+  LUM_EXPECT_OK(r.canvas.apply({brush, {{0.5F, 0.5F}}}, ""));
+  EXPECT_NEAR(r.middle(), 0.8F, 0.01F) << "a dab is a little less beside its middle";
+  EXPECT_FLOAT_EQ(r.corner(), 0.05F);
+}
+
+TEST(Importance, TurningNuOrDeltaWinsOverWhatARemedySays) {
+  Remedied r;
+  r.canvas.set_importance(0.3F, 0.5F);
+  EXPECT_FLOAT_EQ(r.corner(), 0.05F) << "nothing was turned";
+  r.canvas.set_importance(0.4F, 0.5F);
+  EXPECT_FLOAT_EQ(r.corner(), 0.4F);
+}
+
 }  // namespace
 }  // namespace luminist

@@ -132,6 +132,15 @@ TEST_F(ConstraintTest, AMirrorImageIsReflectedAndEqualOtherwise) {
   }
 }
 
+TEST_F(ConstraintTest, AMirrorImageMayBeOfATypeThatWasReadAnotherTime) {
+  const LightTypes again = load_types();
+  light("fill") = *make_light(again, "cinematic", "fill", frame_);
+  put(light("key"), "position", Vec3(3.0F, 2.0F, 1.0F));
+  rig_.constraints = {{"fill", MirrorOf{"key", {Vec3(1.0F, 0.0F, 0.0F), Vec3(2.0F, 0.0F, 0.0F)}}}};
+  keep_constraints(rig_);
+  EXPECT_EQ(value(light("fill"), "position"), Vec3(-1.0F, 2.0F, 1.0F));
+}
+
 TEST_F(ConstraintTest, ATiedColourIsTheOtherTimesTheFactor) {
   put(light("key"), "color", Vec3(1.0F, 0.5F, 0.25F));
   rig_.constraints = {{"bulb", SameColor{"key", 0.5F}}};

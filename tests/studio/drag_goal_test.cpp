@@ -1,5 +1,6 @@
 #include "studio/drag_goal.h"
 
+#include "studio/paint_layers.h"
 #include "studio/script.h"
 #include "studio/session_fixture.h"
 
@@ -106,6 +107,20 @@ TEST_F(DragGoalTest, ADragOverNothingIsAnErrorAndRecordsNothing) {
   drag.light = "nobody";
   EXPECT_EQ(error_of(start_drag(*session_, drag, {})).kind, ErrorKind::kUsage);
   EXPECT_EQ(hash(), before);
+}
+
+TEST_F(DragGoalTest, OnAHiddenLayerItLeavesWhatWasProposed) {
+  Drag drag;
+  drag.from = Vec2(0.506F, 0.410F);
+  drag.to = drag.from + Vec2(-0.10F, 0.03F);
+  LUM_ASSERT_OK([[maybe_unused]] const std::string light, start_drag(*session_, drag, few_evals()));
+  LUM_EXPECT_OK(session_->finish_solve({}));
+  LUM_EXPECT_OK(session_->layers().set_visible("Layer 1", false));
+  if (!session_->has_proposal()) LUM_EXPECT_OK(session_->solve(few_evals(), {}));
+  const std::string before = hash();
+  EXPECT_EQ(error_of(start_drag(*session_, drag, few_evals())).field, "layer");
+  EXPECT_EQ(hash(), before);
+  EXPECT_TRUE(session_->has_proposal());
 }
 
 }  // namespace

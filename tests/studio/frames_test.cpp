@@ -126,6 +126,24 @@ TEST_F(FramesTest, AnAcceptedSolveIsAKeyAtItsFrame) {
   EXPECT_EQ(key_frames(session_->state().rig, "light"), (std::vector<double>{0, 24}));
 }
 
+TEST_F(FramesTest, WhatIsProposedIsAKeyOfTheFrameThatIsLeft) {
+  LUM_EXPECT_OK(session_->paint(light_strokes(), "strokes.json"));
+  LUM_ASSERT_OK([[maybe_unused]] const std::string name, session_->add_light({}));
+  LUM_EXPECT_OK(session_->go_to(24));
+  LUM_ASSERT_OK([[maybe_unused]] const int keyed, session_->set_keys("lights/light/color", KeyInterpolation::kLinear));
+  LUM_EXPECT_OK(session_->go_to(0));
+  LUM_EXPECT_OK(session_->solve(few_evals(), {}));
+  const auto color = [&] {
+    const ParamBlock& light = session_->shown().rig.find("light")->params;
+    return light.vec3(*light.schema().by_role("color"));
+  };
+  const Vec3 found = color();
+  LUM_EXPECT_OK(session_->change_shown([](Session& session) { return session.go_to(24); }));
+  EXPECT_NE(color(), found) << "the solve changes the colour, or this shows nothing";
+  LUM_EXPECT_OK(session_->change_shown([](Session& session) { return session.go_to(0); }));
+  EXPECT_EQ(color(), found);
+}
+
 TEST_F(FramesTest, ASequenceIsRenderedOnceAndAgainWhereSomethingIsWrong) {
   const Sequence all = sequence("f.##.exr");
   EXPECT_EQ(rendered(all), (std::vector<int>{0, 12, 24}));

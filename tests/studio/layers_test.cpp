@@ -140,6 +140,17 @@ TEST_F(PaintLayersTest, AnEraserIsNotMergedIntoPaintThatItWouldReach) {
   EXPECT_EQ(hash(), before);
 }
 
+TEST_F(PaintLayersTest, NorIntoThatOfAPictureThatWasTakenAsTarget) {
+  LUM_EXPECT_OK(session_->set_target(Image(48, 36, 3, 0.5F), std::nullopt));
+  LUM_EXPECT_OK(session_->layers().add("Floor"));
+  StrokeFile eraser = floor_strokes();
+  eraser.strokes[0].brush.tool = PaintTool::kErase;
+  paint(eraser);
+  const std::string before = hash();
+  EXPECT_EQ(error_of(session_->layers().merge_down("Floor")).kind, ErrorKind::kUsage);
+  EXPECT_EQ(hash(), before);
+}
+
 TEST_F(PaintLayersTest, ErrorsNameWhatIsNotThere) {
   paint(light_strokes());
   PaintLayers layers = session_->layers();

@@ -33,5 +33,13 @@ TEST_F(RestyleTest, LinesGoOverAStyleAndAwayWithoutChangingIt) {
   EXPECT_EQ(value(), before.get(param, 0)) << "another style begins with its own values";
 }
 
+TEST_F(RestyleTest, TheStyleThatItHasIsNoCommandAndOpensNoStage) {
+  const std::size_t steps = session_->project().undo_steps();
+  const std::uint64_t stage = session_->stage().id;
+  LUM_EXPECT_OK(session_->restyle("cinematic"));
+  EXPECT_EQ(session_->project().undo_steps(), steps);
+  EXPECT_EQ(session_->stage().id, stage);
+}
+
 }  // namespace
 }  // namespace luminist

@@ -37,6 +37,14 @@ TEST_F(ShotViewTest, TheSameCameraAndSizeAreNoCommand) {
   EXPECT_EQ(session_->project().undo_steps(), steps);
 }
 
+TEST_F(ShotViewTest, HowMuchCountsWhatIsNotPaintedOutlivesThePaint) {
+  LUM_EXPECT_OK(session_->paint(light_strokes(), "strokes.json"));
+  LUM_EXPECT_OK(session_->set_importance(0.35F, 0.65F));
+  LUM_EXPECT_OK(session_->view().reframe("", 32, 20));
+  EXPECT_EQ(session_->project().document().get("paint/nu"), "0.35");
+  EXPECT_EQ(session_->project().document().get("paint/delta"), "0.65");
+}
+
 TEST_F(ShotViewTest, WhatIsNoShotLeavesEverythingAsItWas) {
   const std::string before = hash();
   EXPECT_EQ(error_of(session_->view().reframe("nobody", 48, 36)).kind, ErrorKind::kUsage);
