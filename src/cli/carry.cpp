@@ -25,6 +25,9 @@ Result<int> carry(const Words& words, VerbContext& context) {
   if (!words.to_frame && !words.to_camera) {
     return Error{ErrorKind::kUsage, "to which frame or camera", "", "--to-frame", "give --to-frame or --to-camera"};
   }
+  if (std::filesystem::path(words.output).extension() != ".json") {
+    return Error{ErrorKind::kUsage, "strokes are written as JSON", words.output, "--output", "name it x.json"};
+  }
   Shot to = from;
   to.frame = words.to_frame.value_or(from.frame);
   to.camera = words.to_camera.value_or(from.camera);

@@ -7,6 +7,7 @@
 #include "cli/shot_words.h"
 #include "params/param_text.h"
 #include "studio/farm.h"
+#include "studio/sequence.h"
 
 namespace luminist {
 namespace {
@@ -52,6 +53,13 @@ Result<int> farm(const Words& words, VerbContext& context) {
   LUM_TRY(job.range, FrameRange::parse(words.frames));
   LUM_TRY_VOID(check_image_output(words.output));
   LUM_TRY(job.arguments, render_words(words, shot, context.roots));
+  // A wrong word is told here rather than by every task.
+  LUM_TRY(Device device, Device::create_headless());
+  const std::vector<int> frames = job.range.frames();
+  const Sequence sequence{shot, {frames.front()}, words.output, words.shot.link, words.shot.constrain, false};
+  Diagnostics diagnostics;
+  LUM_TRY_VOID(check_sequence(device, context.roots, sequence, diagnostics));
+  context.console.warn(diagnostics);
   std::error_code error;
   job.program = words.program.empty() ? fs::read_symlink("/proc/self/exe", error).string() : words.program;
   job.chunk = words.chunk;

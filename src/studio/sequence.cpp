@@ -109,12 +109,41 @@ std::string frame_path(const std::string& pattern, int frame) {
   return pattern.substr(0, begin) + fmt::format("{:0{}}", frame, end + 1 - begin) + pattern.substr(end + 1);
 }
 
+namespace {
+
+/// Content of all that is drawn with: shaders/ of every root.
+std::string shader_hash(const AssetRoots& roots) {
+  std::vector<fs::path> files;
+  for (const fs::path& root : roots.folders()) {
+    std::error_code error;
+    for (fs::recursive_directory_iterator it(root / "shaders", error), end; !error && it != end; it.increment(error)) {
+      if (it->is_regular_file()) files.push_back(it->path());
+    }
+  }
+  std::sort(files.begin(), files.end());
+  std::string text;
+  for (const fs::path& file : files) {
+    const auto bytes = read_file(file);
+    text += fmt::format("{} {}\n", file.filename().string(), bytes ? content_hash(*bytes) : "");
+  }
+  return content_hash(text);
+}
+
+Result<ParamState> state_of(const Stage& stage, const AssetRoots& roots, const Sequence& sequence, const Shot& shot) {
+  LUM_TRY(ParamState state, starting_state(stage, roots, shot, "."));
+  LUM_TRY_VOID(link_lights(state.rig, sequence.links, stage.object_names()));
+  LUM_TRY_VOID(add_constraints(state.rig, sequence.constraints, stage.renderer->surface(), stage.bounds));
+  return state;
+}
+
+}  // namespace
+
 std::string frame_signature(const Stage& stage, const Shot& shot, const ParamState& state,
-                            const std::string& scene_file) {
+                            const std::string& made_from) {
   LightRig rig = state.rig;
   rig.keys.clear();  // their values at this frame are what counts
   std::string text =
-      fmt::format("{}\n{} {} {} {}x{} {}\n{}\n{}\n", scene_file, shot.scene_options.floor, shot.scene_options.wall,
+      fmt::format("{}\n{} {} {} {}x{} {}\n{}\n{}\n", made_from, shot.scene_options.floor, shot.scene_options.wall,
                   shot.camera, shot.width, shot.height, stage.moving ? number_text(shot.seconds()) : "still",
                   rig_to_toml(rig), block_to_json(state.style).dump());
   for (const auto& file : StyleFiles(stage.style).files()) {
@@ -124,11 +153,21 @@ std::string frame_signature(const Stage& stage, const Shot& shot, const ParamSta
   return content_hash(text);
 }
 
+Result<void> check_sequence(Device& device, const AssetRoots& roots, const Sequence& sequence,
+                            Diagnostics& diagnostics) {
+  if (sequence.frames.empty()) return {};
+  Shot shot = sequence.shot;
+  shot.frame = sequence.frames.front();
+  LUM_TRY(const std::unique_ptr<Stage> stage, open_stage(device, roots, shot, ".", diagnostics));
+  LUM_TRY_VOID(state_of(*stage, roots, sequence, shot));
+  return {};
+}
+
 Result<void> render_sequence(Device& device, const AssetRoots& roots, const Sequence& sequence,
                              const std::function<bool(const FrameDone&)>& watch, Diagnostics& diagnostics) {
   LUM_TRY(const std::string scene, find_input(sequence.shot.scene, ".", roots));
   LUM_TRY(const std::string bytes, read_file(scene));
-  const std::string scene_file = content_hash(bytes);
+  const std::string made_from = content_hash(bytes) + shader_hash(roots);
   std::unique_ptr<Stage> stage;
   for (const int frame : sequence.frames) {
     Shot shot = sequence.shot;
@@ -136,10 +175,8 @@ Result<void> render_sequence(Device& device, const AssetRoots& roots, const Sequ
     if (!stage || stage->moving) {
       LUM_TRY(stage, open_stage(device, roots, shot, ".", diagnostics, stage ? stage->moving : nullptr));
     }
-    LUM_TRY(ParamState state, starting_state(*stage, roots, shot, "."));
-    LUM_TRY_VOID(link_lights(state.rig, sequence.links, stage->object_names()));
-    LUM_TRY_VOID(add_constraints(state.rig, sequence.constraints, stage->renderer->surface(), stage->bounds));
-    const std::string signature = frame_signature(*stage, shot, state, scene_file);
+    LUM_TRY(const ParamState state, state_of(*stage, roots, sequence, shot));
+    const std::string signature = frame_signature(*stage, shot, state, made_from);
     FrameDone done{frame, frame_path(sequence.pattern, frame), false};
     done.skipped = !sequence.again && is_done(done.path, shot, signature);
     if (!done.skipped) {

@@ -41,11 +41,17 @@ struct FrameDone {
   bool skipped = false;  ///< it was there, whole and of the same signature
 };
 
-/// Names what a frame follows from: the scene's file, the style's files and values, lights, camera, size, time. It is
-/// stored in the picture (attribute kSignature). Files beside a .gltf or .obj are not looked at.
+/// Names what a frame follows from: made_from (the scene's file, the shaders), the style's files and values, lights,
+/// camera, size, time. It is stored in the picture (attribute kSignature). Files beside a .gltf or .obj are not looked
+/// at, nor is the program itself.
 std::string frame_signature(const Stage& stage, const Shot& shot, const ParamState& state,
-                            const std::string& scene_file);
+                            const std::string& made_from);
 inline constexpr const char* kSignature = "luminist:frame";
+
+/// Whether its first frame could be rendered: every word of it is tried, no picture is made. errors and cost those of
+/// open_stage().
+Result<void> check_sequence(Device& device, const AssetRoots& roots, const Sequence& sequence,
+                            Diagnostics& diagnostics);
 
 /// Renders what is not there yet, each frame whole or not at all (temporary file, then renamed), and tells watch after
 /// each; watch says false to end there. The scene is read once. What is there is judged by reading all of it.

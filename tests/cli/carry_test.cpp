@@ -40,6 +40,8 @@ TEST_F(CliTest, CarryNamesWhatIsWrong) {
   expect_error(typo, 3);
   EXPECT_NE(typo.err.find("typo.json"), std::string::npos) << typo.err;
   EXPECT_FALSE(exists("there.json"));
+  expect_error(luminist("carry ball.obj --paint light.json --to-frame 1 -o there.png"), 2);
+  EXPECT_FALSE(exists("there.png"));
 }
 
 }  // namespace

@@ -198,5 +198,15 @@ TEST_F(CliTest, TakesFileNamesAsTheyCome) {
   }
 }
 
+TEST_F(CliTest, AFarmJobIsWrittenOnlyIfItsFirstFrameCouldBeRendered) {
+  const std::string words = "farm ball.obj --rig rig.toml --size 16x12 --frames 0-3 -o f.#.exr --job job ";
+  expect_error(luminist(words + "--set lights/key/colour=1,1,1"), 2);
+  expect_error(luminist(words + "--link key=boll"), 2);
+  EXPECT_FALSE(exists("job"));
+  const Outcome good = luminist(words + "--set lights/key/color=1,1,1 --link key=ball");
+  EXPECT_EQ(good.status, 0) << good.err;
+  EXPECT_TRUE(exists("job/job.sh") && exists("job/commands.txt"));
+}
+
 }  // namespace
 }  // namespace luminist

@@ -159,6 +159,21 @@ TEST_F(FramesTest, ASequenceIsRenderedOnceAndAgainWhereSomethingIsWrong) {
   EXPECT_EQ(rendered(all), (std::vector<int>{0, 12, 24}));
 }
 
+TEST_F(FramesTest, AnotherShaderMakesFramesOld) {
+  const Sequence all = sequence("s.##.exr");
+  EXPECT_EQ(rendered(all), (std::vector<int>{0, 12, 24}));
+  EXPECT_EQ(rendered(all), std::vector<int>{});
+  LUM_ASSERT_OK(const std::filesystem::path diffuse, roots_.find("shaders/lib/diffuse.glsl"));
+  const std::filesystem::path own = folder_.path() / "own/shaders/lib";
+  std::filesystem::create_directories(own);
+  std::filesystem::copy(diffuse, own / "diffuse.glsl");
+  std::ofstream(own / "diffuse.glsl", std::ios::app) << "// another version\n";
+  std::vector<std::filesystem::path> folders = roots_.folders();
+  folders.insert(folders.begin(), folder_.path() / "own");
+  roots_ = AssetRoots(folders);
+  EXPECT_EQ(rendered(all), (std::vector<int>{0, 12, 24}));
+}
+
 TEST_F(FramesTest, APngTellsWhatItWasMadeFromToo) {
   const Sequence all = sequence("f.png");
   EXPECT_EQ(rendered(all).size(), 3U);
