@@ -11,6 +11,7 @@ uniform uvec2 ids;   // 1 + object, 1 + material
 uniform vec3 base_color;
 uniform float metallic;
 uniform float roughness;
+uniform float specular;
 uniform vec3 emissive;
 uniform float normal_scale;
 uniform float heights_per_pixel;
@@ -70,7 +71,8 @@ void main() {
   out_position = vec4(world_position, gl_FragCoord.w);
   out_normal = vec4(facing_normal(), 0.0);
   out_albedo = vec4(base * (1.0 - metal), rough);
-  out_specular = vec4(mix(vec3(kDielectric), base, metal), 0.0);
+  float dielectric = kDielectric * specular;
+  out_specular = vec4(mix(vec3(dielectric), base, metal), dielectric * (1.0 - metal));
   out_emissive = vec4(glow, 0.0);
   out_ids = ids;
   vec2 across = dFdx(stroke_place);

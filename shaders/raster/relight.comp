@@ -10,7 +10,7 @@ void main() {
   Surface surface = lum_surface(lum_frame.indexed != 0u ? lum_entries[lum_sample] : lum_sample);
   for (uint candidate = first; candidate < last; ++candidate) {
     lum_load_candidate(candidate);
-    Surface s = surface;
+    Surface s = lum_turn(surface);
     if (lum_candidate.z == LUM_NONE) s.emissive = vec3(0.0);
     vec3 color = s.object == 0u ? lum_background() : lum_shade(s);
     if (lum_frame.layered != 0u) color += lum_layer[lum_sample].rgb;

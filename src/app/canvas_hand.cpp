@@ -6,6 +6,7 @@
 #include <GLFW/glfw3.h>
 
 #include "app/canvas_panel.h"
+#include "app/materials_panel.h"
 
 namespace luminist {
 namespace {
@@ -45,6 +46,7 @@ void CanvasPanel::press(Desk& desk, const HandEvent& event) {
   }
   if (event.button != GLFW_MOUSE_BUTTON_LEFT) return;
   if (desk.pick_clip) return pick_clip(desk, event.at);
+  if (std::exchange(desk.pick_material, false)) return choose_material(desk, desk.view.to_picture(event.at));
   if (handles_.press(desk, event.at)) {
     grip_ = Grip::kLight;
     return;
@@ -153,6 +155,7 @@ bool CanvasPanel::cancel_stroke(Desk& desk) {
 
 void CanvasPanel::pick_color(Desk& desk, const Vec2& screen) {
   const Vec2 at = desk.view.to_picture(screen);
+  choose_material(desk, at);
   const Image& painted = desk.now->painted->color;
   const bool small = !desk.now->picture->same_size(painted);  // while the brush moves
   const Image& image = desk.channel == Channel::kPaint || small ? painted : *desk.now->picture;
@@ -165,6 +168,7 @@ void CanvasPanel::pick_color(Desk& desk, const Vec2& screen) {
 void CanvasPanel::pick_clip(Desk& desk, const Vec2& screen) {
   const std::string object = object_at(*desk.now->facts, desk.view.to_picture(screen));
   desk.pick_clip = false;
+  choose_material(desk, desk.view.to_picture(screen));
   if (!object.empty()) desk.box.brush().clip = object;
 }
 

@@ -137,7 +137,8 @@ void CanvasPanel::draw_peak(const Desk& desk, const Vec2& screen) const {
 void CanvasPanel::draw_cursor(const Desk& desk) {
   if (!over_ && grip_ == Grip::kNone) return;
   ImDrawList& list = *ImGui::GetWindowDrawList();
-  const bool picks = desk.box.tool() == Tool::kPick || desk.pick_clip || (mods_ == desk.keys().pick_mods);
+  const bool picks =
+      desk.box.tool() == Tool::kPick || desk.pick_clip || desk.pick_material || (mods_ == desk.keys().pick_mods);
   if (desk.space_down || grip_ == Grip::kPan) return ImGui::SetMouseCursor(ImGuiMouseCursor_ResizeAll);
   if (grip_ == Grip::kLight || (grip_ == Grip::kNone && handles_.over(desk, pointer_))) {
     return ImGui::SetMouseCursor(ImGuiMouseCursor_Hand);
@@ -151,8 +152,8 @@ void CanvasPanel::draw_cursor(const Desk& desk) {
       list.AddLine({at.x - arm, at.y}, {at.x + arm, at.y}, color, width);
       list.AddLine({at.x, at.y - arm}, {at.x, at.y + arm}, color, width);
     }
-    draw_icon(list, desk.pick_clip ? Icon::kTarget : Icon::kDropper, {at.x + 2.0F * arm, at.y - 2.0F * arm},
-              desk.theme.px(16.0F), paint_colors::kText);
+    draw_icon(list, desk.pick_clip || desk.pick_material ? Icon::kTarget : Icon::kDropper,
+              {at.x + 2.0F * arm, at.y - 2.0F * arm}, desk.theme.px(16.0F), paint_colors::kText);
     return;
   }
   const Brush& brush = desk.box.brush();

@@ -53,11 +53,13 @@ struct Desk {
   std::uint32_t selected_stroke = 0;  ///< that the edit tool changes; 0: none
   std::string pen;                    ///< whether there is one, as a line
   bool pick_clip = false;             ///< the next click names the object that strokes stay on
+  bool pick_material = false;         ///< the next click names the material whose parameters are shown
   DragGoal goal = DragGoal::kNone;    ///< drags move a highlight, or the edge of a shadow
   std::string linking;                ///< a light whose objects clicks on the picture choose; "": none
   bool space_down = false;
   bool hand_down = false;  ///< a stroke is under way
 
+  std::string material;  ///< whose parameters are shown
   std::string selected;  ///< light; "" for none, "ambient", "style"
   std::set<std::string> solo;
   int key_map = 0;

@@ -114,12 +114,14 @@ void Questions::choose_export(Desk& desk) {
   tick("PNG", choice_.png, "As the screen shows it at exposure 0, 8 bits a channel.");
   tick("EXR", choice_.exr, "Linear numbers, for compositing.");
   tick("A contact sheet", choice_.sheet, "All of these pictures small and side by side: sheet.png.");
-  tick("Rig and style", choice_.rig, "rig.toml and style.json, with which the picture can be rendered again.");
+  tick("Rig, style and materials", choice_.rig,
+       "rig.toml, style.json and materials.json, with which the picture can be rendered again.");
+  tick("The scene", choice_.scene, "scene.glb, with its materials as they are changed here, for other programs.");
   ImGui::Columns(1);
   ImGui::Spacing();
   const bool pictures = choice_.light || choice_.paint || choice_.residual || choice_.importance || choice_.each_light;
   const bool kinds = choice_.png || choice_.exr || choice_.sheet;
-  ImGui::BeginDisabled(!choice_.rig && !(pictures && kinds));
+  ImGui::BeginDisabled(!choice_.rig && !choice_.scene && !(pictures && kinds));
   if (ImGui::Button("Choose a folder...", {theme.px(150.0F), 0.0F})) desk.ask(Question::kExportFolder);
   ImGui::EndDisabled();
   ImGui::SameLine();

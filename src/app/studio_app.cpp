@@ -106,6 +106,7 @@ class StudioApp {
       if (desk_.question != Question::kNone) return questions_.leave(desk_);
       if (!std::exchange(desk_.linking, "").empty()) return;
       if (std::exchange(desk_.goal, DragGoal::kNone) != DragGoal::kNone) return;
+      if (std::exchange(desk_.pick_material, false)) return;
       if (std::exchange(desk_.pick_clip, false) || canvas_.cancel_stroke(desk_)) return;
     }
     if (typing || desk_.question != Question::kNone || desk_.hand_down) return;

@@ -142,6 +142,9 @@ void StylePanel::draw(Desk& desk, ParamWidgets& widgets) {
   shot_rows(desk);
   ImGui::Separator();
   style_rows(desk);
+  ImGui::Separator();
+  materials_.draw(desk, widgets);
+  ImGui::Separator();
   const StyleParts parts = parts_of(facts.shot.style);
   const std::vector<Style>& all = overlays(desk);
   const auto lines = std::ranges::find(all, parts.lines, &Style::name);

@@ -1,10 +1,11 @@
 #pragma once
-// app/style_panel.h -- what is looked at and how: camera, size, the style, the lines over it.
+// app/style_panel.h -- what is looked at and how: camera, size, the style, the lines over it, the materials.
 #include <set>
 #include <string>
 #include <vector>
 
 #include "app/desk.h"
+#include "app/materials_panel.h"
 #include "app/param_widgets.h"
 #include "style/style.h"
 
@@ -20,6 +21,7 @@ class StylePanel {
   /// Styles that draw lines over others; read once.
   const std::vector<Style>& overlays(const Desk& desk);
 
+  MaterialsPanel materials_;
   bool read_ = false;
   std::vector<Style> overlays_;
   std::set<std::string> traced_;  ///< styles that are path traced

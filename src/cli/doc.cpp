@@ -6,6 +6,7 @@
 #include "cli/verb.h"
 #include "params/param_text.h"
 #include "rig/light_type.h"
+#include "scene/material_params.h"
 #include "style/style.h"
 
 namespace luminist {
@@ -22,6 +23,11 @@ Result<int> doc(VerbContext& context) {
   }
   console.result(
       fmt::format("\n## ambient\n\nLight without a place: ambient/PARAMETER.\n\n{}", doc_table(*types.ambient())));
+  LUM_TRY(const auto materials, load_material_schema(context.roots));
+  console.result(
+      fmt::format("\n# Materials\n\nParameters of a scene's material NAME are materials/NAME/PARAMETER, locked until "
+                  "they are unlocked by that name; defaults of specular and roughness are the scene's own.\n\n{}",
+                  doc_table(*materials)));
   console.result("\n# Styles\n\nParameters of the style in use are style/PARAMETER.");
   std::optional<Error> broken;
   for (const std::string& name : style_names(context.roots)) {

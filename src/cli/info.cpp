@@ -6,8 +6,11 @@
 
 #include "cli/verb.h"
 #include "gpu/device.h"
+#include "params/param_text.h"
 #include "project/commands.h"
 #include "rig/light_type.h"
+#include "scene/material_params.h"
+#include "studio/shot.h"
 #include "style/style.h"
 
 namespace luminist {
@@ -35,15 +38,47 @@ Result<nlohmann::ordered_json> facts(const AssetRoots& roots) {
                                 {"styles", style_names(roots)}};
 }
 
+/// What is in a scene, by the names that other words use: cameras, objects, lights, materials with their parameters.
+Result<nlohmann::ordered_json> scene_facts(const std::string& wanted, VerbContext& context) {
+  using Json = nlohmann::ordered_json;
+  LUM_TRY(const std::string path, find_input(wanted, ".", context.roots));
+  Diagnostics diagnostics;
+  auto scene = load_scene(path, {}, diagnostics);
+  context.console.warn(diagnostics);
+  if (!scene) return std::move(scene).error();
+  LUM_TRY(const auto schema, load_material_schema(context.roots));
+  Json all{{"scene", path}, {"triangles", scene->triangle_count()}};
+  for (const char* list : {"cameras", "objects", "lights"}) all[list] = Json::array();
+  for (const Camera& camera : scene->cameras) all["cameras"].push_back(camera.name);
+  for (const Object& object : scene->objects) all["objects"].push_back(object.name);
+  for (const PunctualLight& light : scene->lights) all["lights"].push_back(light.name);
+  const std::vector<MaterialParams> materials = material_params(scene->materials, *schema);
+  for (std::size_t i = 0; i < materials.size(); ++i) {
+    Json material = block_to_json(materials[i].params);
+    material["objects"] = Json::array();
+    for (const Object& object : scene->objects) {
+      if (static_cast<std::size_t>(object.material) == i) material["objects"].push_back(object.name);
+    }
+    all["materials/" + materials[i].name] = std::move(material);
+  }
+  return all;
+}
+
+struct Words {
+  std::string scene;
+  bool json = false;
+};
+
 }  // namespace
 
 Verb declare_info(CLI::App& app) {
-  const auto json = std::make_shared<bool>(false);  // the parser and the returned function both use it
-  app.add_flag("--json", *json, "Prints one object");
-  app.footer("Example:\n  luminist info --json");
-  return [json](VerbContext& context) -> Result<int> {
-    LUM_TRY(const auto all, facts(context.roots));
-    if (*json) {
+  const auto words = std::make_shared<Words>();  // the parser and the returned function both use it
+  app.add_option("SCENE", words->scene, "Tells what is in a scene, in place of what this machine has");
+  app.add_flag("--json", words->json, "Prints one object");
+  app.footer("Examples:\n  luminist info --json\n  luminist info meshes/still_life/still_life.glb");
+  return [words](VerbContext& context) -> Result<int> {
+    LUM_TRY(const auto all, words->scene.empty() ? facts(context.roots) : scene_facts(words->scene, context));
+    if (words->json) {
       context.console.result(all.dump());
       return 0;
     }

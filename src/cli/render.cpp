@@ -10,6 +10,7 @@
 #include "image_io/image_io.h"
 #include "rig/light_links.h"
 #include "studio/constraint_words.h"
+#include "studio/scene_export.h"
 #include "studio/sequence.h"
 #include "studio/stage.h"
 #include "studio/style_reload.h"
@@ -26,6 +27,7 @@ struct Words {
   std::string film;
   std::string strip;
   bool again = false;
+  std::string scene_output;
 };
 
 /// Renders again whenever a file of the style is written, until a signal ends it; a version with a mistake is reported,
@@ -86,6 +88,10 @@ Result<int> render(const Words& words, VerbContext& context) {
   if (words.watch && !words.frames.empty()) {
     return Error{ErrorKind::kUsage, "a sequence is not watched", "", "--watch", "leave out --frames"};
   }
+  if (!words.scene_output.empty() && !words.scene_output.ends_with(".glb")) {
+    return Error{ErrorKind::kUsage, fmt::format("\"{}\" is no place for a scene", words.scene_output), "", "--scene",
+                 "give a file that ends in .glb"};
+  }
   if (!words.frames.empty()) return render_frames(words, shot, context);
   LUM_TRY(Device device, Device::create_headless());
   Diagnostics diagnostics;
@@ -111,6 +117,10 @@ Result<int> render(const Words& words, VerbContext& context) {
   LUM_TRY(const Image picture, (*stage)->renderer->render(state));
   LUM_TRY_VOID(write_image(words.output, picture));
   context.console.result(words.output);
+  if (!words.scene_output.empty()) {
+    LUM_TRY_VOID(export_scene(**stage, shot, state, words.scene_output));
+    context.console.result(words.scene_output);
+  }
   return words.watch ? watch(words, **stage, std::move(state), std::move(files), context) : 0;
 }
 
@@ -127,12 +137,16 @@ Verb declare_render(CLI::App& app) {
                      "ending. Frames that are there, whole and from the same scene, style and lights, stay");
   app.add_option("--film", words->film, "A film of the frames, .mp4, by ffmpeg")->needs(frames);
   app.add_option("--strip", words->strip, "The frames side by side: .png or .exr")->needs(frames);
+  app.add_option("--scene", words->scene_output, "The scene with its materials as --set has them, .glb")
+      ->excludes(frames);
   app.add_flag("--again", words->again, "Renders frames also where they are there")->needs(frames);
   app.footer(
       "Examples:\n"
       "  luminist render meshes/still_life/still_life.glb -o dim.png\n"
       "  luminist render meshes/room/room.glb --rig meshes/room/rig.toml --style path --samples 256 -o room.exr\n"
       "  luminist render model.obj --floor --wall --style toon --set style/threshold=0.4 --size 1280x720 -o model.exr\n"
+      "  luminist render meshes/still_life/still_life.glb --set materials/jug/roughness=0.2 --scene shiny.glb -o "
+      "shiny.png\n"
       "  luminist render meshes/creature/creature.glb --rig keyed.toml --frames 0-47 -o out/f.####.exr --film f.mp4");
   return [words](VerbContext& context) { return render(*words, context); };
 }

@@ -59,6 +59,7 @@ Result<void> print_shared(SharedSolve& solve, const std::vector<SharedView>& vie
     console.result(fmt::format("{}: error {:.5f}, was {:.5f}", views[k].name, errors.found, errors.start));
     ParamState style_only = solve.state(k);
     style_only.rig.lights.clear();
+    style_only.materials.clear();
     style_only.rig.ambient.set_param_locked(-1, true);
     print_free_values(console, style_only, false);
     if (verdicts[k]) console.result(*verdicts[k]);

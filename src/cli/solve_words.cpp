@@ -32,7 +32,8 @@ std::string report_line(const SolveReport& report) {
 void print_free_values(Console& console, const ParamState& state, bool without_style) {
   const std::vector<const ParamBlock*> blocks = state.blocks();
   const std::vector<std::string> paths = state.block_paths();
-  for (std::size_t b = 0; b + (without_style ? 1 : 0) < blocks.size(); ++b) {
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    if (without_style && blocks[b] == &state.style) continue;
     const std::string found = free_values(*blocks[b]);
     if (!found.empty()) console.result(paths[b] + ":" + found);
   }

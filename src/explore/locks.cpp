@@ -27,6 +27,7 @@ ParamState with_free_lights(ParamState state, MakeUp who) {
 std::optional<ParamState> with_only_colors_free(ParamState state) {
   state.rig.ambient.set_param_locked(-1, true);
   state.style.set_param_locked(-1, true);
+  for (MaterialParams& material : state.materials) material.params.set_param_locked(-1, true);
   for (Light& light : state.rig.lights) {
     const ParamSchema& schema = light.params.schema();
     for (int param = 0; param < schema.size(); ++param) {

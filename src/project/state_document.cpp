@@ -31,6 +31,32 @@ void write_block(const std::string& path, const ParamBlock& block, Document& doc
   }
 }
 
+bool is_default(const ParamBlock& block, int param) {
+  for (int c = 0; c < block.schema()[param].components(); ++c) {
+    const auto own = static_cast<float>(block.schema()[param].default_value[static_cast<std::size_t>(c)]);
+    if (static_cast<float>(block.get(param, c)) != own) return false;
+  }
+  return true;
+}
+
+bool locked_by_default(const ParamBlock& block, const ParamSpec& spec) {
+  for (int dof = 0; dof < spec.dofs(); ++dof) {
+    if (block.locked_by_hand(spec.first_dof + dof) == spec.solve) return false;
+  }
+  return true;
+}
+
+/// Only what is not as the scene has it: nothing for who does not turn materials, and a scene whose materials change
+/// shows that.
+void write_material(const std::string& path, const ParamBlock& block, Document& document) {
+  write_block(path, block, document);
+  for (int param = 0; param < block.schema().size(); ++param) {
+    const ParamSpec& spec = block.schema()[param];
+    if (is_default(block, param)) document.set(path + "/" + spec.name, "");
+    if (locked_by_default(block, spec)) document.set(fmt::format("locks/{}/{}", path, spec.name), "");
+  }
+}
+
 /// A direction is stored as it is: normalizing a unit vector again can change its last bit.
 Result<void> read_direction(const Json& value, const std::string& path, ParamBlock& block, int param) {
   if (!value.is_array() || value.size() != 3) return wrong(path, "three numbers are wanted");
@@ -191,11 +217,15 @@ void write_state(const ParamState& state, Document& document) {
   write_keys(state.rig, document);
   write_block("ambient", state.rig.ambient, document);
   write_block("style", state.style, document);
+  for (const MaterialParams& material : state.materials) {
+    write_material("materials/" + material.name, material.params, document);
+  }
 }
 
 Result<ParamState> read_state(const Document& document, const LightTypes& types, const Style& style,
-                              const SceneFrame& frame) {
+                              const SceneFrame& frame, std::vector<MaterialParams> materials) {
   ParamState state = initial_state(types, style, frame);
+  state.materials = std::move(materials);
   const Json names = Json::parse(document.get("rig/lights"), nullptr, false);
   if (!names.is_array()) return wrong("rig/lights", "an array of names is wanted");
   for (const Json& name : names) {
@@ -206,6 +236,9 @@ Result<ParamState> read_state(const Document& document, const LightTypes& types,
   LUM_TRY(state.rig.shadow_light, text_at(document, "rig/shadow_light"));
   LUM_TRY_VOID(read_block(document, "ambient", state.rig.ambient));
   LUM_TRY_VOID(read_block(document, "style", state.style));
+  for (MaterialParams& material : state.materials) {
+    LUM_TRY_VOID(read_block(document, "materials/" + material.name, material.params));
+  }
   LUM_TRY_VOID(read_tracks(document, "", state.rig.ambient, state.rig));
   for (const Light& light : state.rig.lights) LUM_TRY_VOID(read_tracks(document, light.name, light.params, state.rig));
   LUM_TRY(state.rig.constraints, constraints_from_json(document.get("rig/constraints")));

@@ -18,6 +18,9 @@ CandidateTable::CandidateTable(const RelightLayout& layout, const LightTypes& ty
 void CandidateTable::clear() {
   candidates_.clear();
   lights_.clear();
+  materials_.clear();
+  material_bytes_.clear();
+  material_row_ = {};
   links_.clear();
   const auto empty = [](Blocks& blocks) { blocks.bytes.clear(), blocks.last.clear(); };
   empty(ambient_);
@@ -58,6 +61,17 @@ bool CandidateTable::fits(const LightRig& rig, std::span<const int> lights) cons
   return true;
 }
 
+CandidateTable::Row CandidateTable::add_materials(const ParamState& state) {
+  std::string bytes = material_bytes(state);
+  if (bytes == material_bytes_) return material_row_;
+  const auto first = static_cast<std::uint32_t>(materials_.size());
+  for (const MaterialParams& material : state.materials) materials_.push_back(turn_of(material.params));
+  while (materials_.size() > first && materials_.back().nothing()) materials_.pop_back();
+  material_bytes_ = std::move(bytes);
+  material_row_ = {first, static_cast<std::uint32_t>(materials_.size()) - first, 0, 0};
+  return material_row_;
+}
+
 bool CandidateTable::add(const Candidate& candidate, const ColumnOf& column_of) {
   LUM_CHECK(candidate.state != nullptr, "a candidate has a state");
   return add(*candidate.state, lit_lights(candidate), candidate.light < 0, column_of);
@@ -68,6 +82,7 @@ bool CandidateTable::add(const ParamState& state, std::span<const int> lights, b
   if (!fits(rig, lights)) return false;
   candidates_.push_back({static_cast<std::uint32_t>(lights_.size()), static_cast<std::uint32_t>(lights.size()),
                          whole ? ambient_.add(0, rig.ambient.bytes()) : kNone, style_.add(0, state.style.bytes())});
+  candidates_.push_back(add_materials(state));
   const std::span<const std::uint32_t> links = links_.entries(rig);
   for (const int i : lights) {
     const Light& light = rig.lights[static_cast<std::size_t>(i)];

@@ -11,6 +11,7 @@
 #include "raster/link_table.h"
 #include "raster/shader_library.h"
 #include "render/renderer.h"
+#include "scene/material_params.h"
 
 namespace luminist {
 
@@ -34,8 +35,11 @@ class CandidateTable {
   /// The same for any lights of a state (places in the rig, none muted); `whole`: with emission and ambient.
   [[nodiscard]] bool add(const ParamState& state, std::span<const int> lights, bool whole, const ColumnOf& column_of);
 
-  [[nodiscard]] std::size_t size() const { return candidates_.size(); }
-  [[nodiscard]] const std::vector<Row>& candidates() const { return candidates_; }  ///< see shaders/lib/host.glsl
+  [[nodiscard]] std::size_t size() const { return candidates_.size() / 2; }
+  /// Two rows a candidate: see shaders/lib/host.glsl.
+  [[nodiscard]] const std::vector<Row>& candidates() const { return candidates_; }
+  /// Of the candidates that turn some: all of a scene's up to the last that is turned.
+  [[nodiscard]] const std::vector<MaterialTurn>& materials() const { return materials_; }
   [[nodiscard]] const std::vector<Row>& lights() const { return lights_; }
   [[nodiscard]] const LinkTable& links() const { return links_; }
   [[nodiscard]] std::span<const std::byte> ambient() const { return ambient_.bytes; }
@@ -51,11 +55,16 @@ class CandidateTable {
     [[nodiscard]] std::size_t free() const { return array.capacity - bytes.size() / array.stride; }
     std::uint32_t add(std::size_t user, std::span<const std::byte> block);
   };
+  /// Where a candidate's materials are, and how many; neighbours with equal ones share them.
+  Row add_materials(const ParamState& state);
   [[nodiscard]] bool fits(const LightRig& rig, std::span<const int> lights) const;
 
   const LightTypes* types_;
   std::vector<Row> candidates_;
   std::vector<Row> lights_;
+  std::vector<MaterialTurn> materials_;
+  std::string material_bytes_;  ///< of the last candidate
+  Row material_row_{};          ///< and what came of them
   LinkTable links_;
   Blocks ambient_;
   Blocks style_;

@@ -203,6 +203,7 @@ void DeepPasses::set_material(const Material& material) {
   program_.set("base_color", material.base_color);
   program_.set("metallic", material.metallic);
   program_.set("roughness", material.roughness);
+  program_.set("specular", material.specular);
   program_.set("emissive", material.emissive);
   program_.set("normal_scale", material.normal_scale);
   const auto bind = [this](GLuint unit, const char* flag, int index) {

@@ -63,6 +63,7 @@ std::vector<std::byte> RasterRenderer::Impl::key_of(const ParamState& state, con
   const auto add = [&](std::span<const std::byte> bytes) { key.insert(key.end(), bytes.begin(), bytes.end()); };
   add(state.rig.ambient.bytes());
   add(state.style.bytes());
+  add(std::as_bytes(std::span(std::string_view(material_bytes(state)))));
   add(std::as_bytes(std::span(std::string_view(link_signature(state.rig)))));
   const std::vector<ShadowLight> shadows = shadow_lights(state.rig, *types_, meshes_.shadow_frame());
   for (const int i : layer.lights) {

@@ -96,6 +96,7 @@ Result<void> Relight::upload(const RelightJob& job) {
   write(style_, table.style());
   for (std::size_t i = 0; i < light_types_.size(); ++i) write(light_types_[i], table.light_type(i));
   LUM_TRY_VOID(links_.assign(*device_, std::span<const std::uint32_t>(table.links().words())));
+  LUM_TRY_VOID(materials_.assign(*device_, std::span<const MaterialTurn>(table.materials())));
   LUM_TRY_VOID(candidates_.assign(*device_, std::span<const CandidateTable::Row>(table.candidates())));
   return lights_.assign(*device_, std::span<const CandidateTable::Row>(table.lights()));
 }
@@ -121,6 +122,7 @@ Result<void> Relight::run(const RelightJob& job) {
   candidates_.buffer().bind_storage(binding::kCandidates);
   lights_.buffer().bind_storage(binding::kLights);
   (job.table->links().words().empty() ? nothing_ : links_.buffer()).bind_storage(binding::kLinks);
+  (job.table->materials().empty() ? nothing_ : materials_.buffer()).bind_storage(binding::kMaterials);
   job.colors->bind_storage(binding::kColors);
   (job.surface->stroke().name() != 0 ? job.surface->stroke() : nothing_).bind_storage(binding::kStrokes);
   for (std::size_t i = 0; i < textures_.size(); ++i) textures_[i].bind(static_cast<GLuint>(i));

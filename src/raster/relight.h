@@ -82,6 +82,7 @@ class Relight {
   std::vector<GlTexture> textures_;  ///< of the style
   GrowingBuffer candidates_{BufferUse::kStorage, "relight candidates"};
   GrowingBuffer lights_{BufferUse::kStorage, "relight lights"};
+  GrowingBuffer materials_{BufferUse::kStorage, "turned materials"};
   GrowingBuffer links_{BufferUse::kStorage, "light links"};
   GlBuffer nothing_;  ///< bound where a job has no entries or visibility
 };

@@ -38,7 +38,7 @@ SourceChunk bindings_chunk() {
       {"ALBEDO", binding::kAlbedo},   {"SPECULAR", binding::kSpecular},     {"EMISSIVE", binding::kEmissive},
       {"ENTRIES", binding::kEntries}, {"VISIBILITY", binding::kVisibility}, {"CANDIDATES", binding::kCandidates},
       {"LIGHTS", binding::kLights},   {"COLORS", binding::kColors},         {"LAYER", binding::kLayer},
-      {"STROKES", binding::kStrokes}, {"LINKS", binding::kLinks},
+      {"STROKES", binding::kStrokes}, {"LINKS", binding::kLinks},           {"MATERIALS", binding::kMaterials},
   };
   std::string text;
   for (const auto& [name, number] : names) text += fmt::format("#define LUM_{} {}\n", name, number);
@@ -55,7 +55,8 @@ SourceChunk blocks_chunk(const std::vector<Block>& blocks, const LightTypes& typ
   text +=
       "Style style;\n"
       "void lum_load_candidate(uint candidate) {\n"
-      "  lum_candidate = lum_candidates[candidate];\n"
+      "  lum_candidate = lum_candidates[2u * candidate];\n"
+      "  lum_candidate_materials = lum_candidates[2u * candidate + 1u].xy;\n"
       "  style = lum_styles[lum_candidate.w];\n"
       "}\n";
   const auto color = types.ambient()->by_role("color");

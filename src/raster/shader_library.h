@@ -32,6 +32,7 @@ inline constexpr GLuint kColors = 9;
 inline constexpr GLuint kLayer = 10;
 inline constexpr GLuint kStrokes = 11;
 inline constexpr GLuint kLinks = 12;
+inline constexpr GLuint kMaterials = 13;
 }  // namespace relight_binding
 
 /// Marks "no ambient" of a candidate and "no shadows" of a light; LUM_NONE of the shaders.

@@ -13,6 +13,7 @@ namespace luminist {
 namespace {
 
 constexpr std::string_view kGroupPrefix = "group:";
+constexpr std::string_view kMaterialPrefix = "materials/";
 
 /// The names that a block's parameters may have before their '/': its path, and its group for a light.
 std::vector<std::string> block_prefixes(const ParamState& state, std::size_t block) {
@@ -56,7 +57,25 @@ bool follows(const ParamBlock& params, const ParamSpec& spec) {
   return spec.dofs() > 0 && params.following(spec.first_dof);
 }
 
+/// Of a path that is of a material which the state does not have; else nothing.
+std::optional<Error> missing_material(const ParamState& state, std::string_view path) {
+  if (!path.starts_with(kMaterialPrefix)) return std::nullopt;
+  const std::string_view rest = path.substr(kMaterialPrefix.size());
+  std::vector<std::string> names;
+  bool known = false;
+  for (const MaterialParams& material : state.materials) {
+    names.push_back(material.name);
+    const std::string_view after = rest.starts_with(material.name) ? rest.substr(material.name.size()) : "?";
+    known = known || after.empty() || after.front() == '/' || matches(rest.substr(0, rest.rfind('/')), material.name);
+  }
+  if (known) return std::nullopt;
+  const std::string name(rest.substr(0, rest.rfind('/')));
+  return Error{ErrorKind::kUsage, fmt::format("the scene has no material \"{}\"", name), "", std::string(path),
+               nearest_hint(name, names, fmt::format("there are: {}", fmt::join(names, ", ")))};
+}
+
 Error unmatched(const ParamState& state, std::string_view pattern) {
+  if (auto missing = missing_material(state, pattern)) return *std::move(missing);
   const std::vector<std::string> all = param_paths(state, false);
   const bool known =
       std::any_of(all.begin(), all.end(), [&](const std::string& path) { return matches(pattern, path); });
@@ -65,7 +84,7 @@ Error unmatched(const ParamState& state, std::string_view pattern) {
       known ? fmt::format("\"{}\" has no degree of freedom", pattern) : fmt::format("\"{}\" matches nothing", pattern),
       "", std::string(pattern),
       nearest_hint(pattern, param_paths(state, true),
-                   "write a path as lights/NAME, lights/NAME/color, group:NAME/color or style/*")};
+                   "write a path as lights/NAME, lights/NAME/color, group:NAME/color, style/* or materials/NAME")};
 }
 
 }  // namespace
@@ -74,6 +93,7 @@ std::vector<ParamBlock*> ParamState::blocks() {
   std::vector<ParamBlock*> list = {&rig.ambient};
   for (Light& light : rig.lights) list.push_back(&light.params);
   list.push_back(&style);
+  for (MaterialParams& material : materials) list.push_back(&material.params);
   return list;
 }
 
@@ -81,6 +101,7 @@ std::vector<const ParamBlock*> ParamState::blocks() const {
   std::vector<const ParamBlock*> list = {&rig.ambient};
   for (const Light& light : rig.lights) list.push_back(&light.params);
   list.push_back(&style);
+  for (const MaterialParams& material : materials) list.push_back(&material.params);
   return list;
 }
 
@@ -88,7 +109,22 @@ std::vector<std::string> ParamState::block_paths() const {
   std::vector<std::string> list = {"ambient"};
   for (const Light& light : rig.lights) list.push_back("lights/" + light.name);
   list.emplace_back("style");
+  for (const MaterialParams& material : materials) list.push_back(std::string(kMaterialPrefix) + material.name);
   return list;
+}
+
+int material_of_block(const ParamState& state, int block) {
+  const int first = light_block(static_cast<int>(state.rig.lights.size())) + 1;
+  return block >= first && block < first + static_cast<int>(state.materials.size()) ? block - first : -1;
+}
+
+std::string material_bytes(const ParamState& state) {
+  std::string all;
+  for (const MaterialParams& material : state.materials) {
+    const std::span<const std::byte> bytes = material.params.bytes();
+    all.append(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+  }
+  return all;
 }
 
 ParamState initial_state(const LightTypes& types, const Style& style, const SceneFrame& frame) {
@@ -122,6 +158,7 @@ Result<void> set_path(ParamState& state, std::string_view assignment) {
       return error;
     }
   }
+  if (auto missing = missing_material(state, path)) return *std::move(missing);
   return Error{ErrorKind::kUsage, fmt::format("there is no parameter \"{}\"", path), "", std::string(path),
                nearest_hint(path, param_paths(state, false), "write a path as lights/NAME/color or style/NAME")};
 }
@@ -153,7 +190,9 @@ std::string range_note(const ParamState& state, std::string_view path, const Sce
 Result<int> set_locked(ParamState& state, std::string_view pattern, bool locked) {
   int count = 0;
   const std::vector<ParamBlock*> blocks = state.blocks();
+  const bool of_materials = locked || pattern.starts_with(kMaterialPrefix);
   for (std::size_t b = 0; b < blocks.size(); ++b) {
+    if (!of_materials && material_of_block(state, static_cast<int>(b)) >= 0) continue;
     const std::vector<std::string> prefixes = block_prefixes(state, b);
     const bool block = std::find(prefixes.begin(), prefixes.end(), pattern) != prefixes.end();
     for (const ParamSpec& spec : blocks[b]->schema().specs()) {
@@ -185,6 +224,7 @@ Result<std::vector<ParamPlace>> params_matching(const ParamState& state, std::st
     }
   }
   if (!places.empty()) return places;
+  if (auto missing = missing_material(state, pattern)) return *std::move(missing);
   return Error{ErrorKind::kUsage, fmt::format("\"{}\" matches no parameter", pattern), "", std::string(pattern),
                nearest_hint(pattern, param_paths(state, false),
                             "write a path as lights/NAME, lights/NAME/color, group:NAME/color or style/*")};

@@ -1,5 +1,5 @@
 #pragma once
-// render/param_state.h -- everything that can be turned in one shot: the rig and the style's parameters.
+// render/param_state.h -- everything that can be turned in one shot: the rig, the style's parameters, the materials.
 #include <string>
 #include <string_view>
 #include <vector>
@@ -7,6 +7,7 @@
 #include "params/param_block.h"
 #include "params/unit_map.h"
 #include "rig/light_rig.h"
+#include "scene/material_params.h"
 #include "style/style.h"
 
 namespace luminist {
@@ -14,11 +15,13 @@ namespace luminist {
 struct ParamState {
   LightRig rig;
   ParamBlock style;
+  std::vector<MaterialParams> materials = {};  ///< of the scene, all in its order; none: they are as it has them
 
-  /// ambient, then the lights in rig order, then the style: the order that a UnitMap of a state uses.
+  /// ambient, then the lights in rig order, then the style, then the materials: the order that a UnitMap of a state
+  /// uses.
   [[nodiscard]] std::vector<ParamBlock*> blocks();
   [[nodiscard]] std::vector<const ParamBlock*> blocks() const;
-  /// "ambient", "lights/<name>", "style": the prefix of a block's parameters.
+  /// "ambient", "lights/<name>", "style", "materials/<name>": the prefix of a block's parameters.
   [[nodiscard]] std::vector<std::string> block_paths() const;
 };
 
@@ -27,10 +30,17 @@ inline int light_block(int light) {
   return light + 1;
 }
 
-/// An empty rig and the style's defaults; every degree of freedom of ambient and style locked as the schemas say.
+/// The index of the material in the state that a block of blocks() is of, or -1.
+int material_of_block(const ParamState& state, int block);
+
+/// The materials' values as bytes: equal for states whose surfaces scatter light alike. cost O(materials).
+std::string material_bytes(const ParamState& state);
+
+/// An empty rig, the style's defaults and no materials; every degree of freedom of ambient and style locked as the
+/// schemas say.
 ParamState initial_state(const LightTypes& types, const Style& style, const SceneFrame& frame);
 
-/// Sets "lights/key/barn=0.3,0.3,0.1", "ambient/color=...", "style/threshold=...".
+/// Sets "lights/key/barn=0.3,0.3,0.1", "ambient/color=...", "style/threshold=...", "materials/jug/roughness=0.3".
 /// errors kUsage: no '=', unknown path (with the nearest), bad value, or what follows another light.
 Result<void> set_path(ParamState& state, std::string_view assignment);
 
@@ -41,6 +51,7 @@ std::string range_note(const ParamState& state, std::string_view path, const Sce
 /// Locks or unlocks what matches a pattern: "lights/key/color", "lights/*/position", "style/*", "*", or a group as
 /// "group:fill/color"; a component as "lights/key/position.y"; all of a light or a group as "lights/key", "group:fill".
 /// '*' stands for any run of characters. What follows another light is no degree of freedom, whatever its lock.
+/// Materials are unlocked by their name only, as "materials/jug" or "materials/*/tint": "*" unlocks what light can do.
 /// returns the number of degrees of freedom that matched. errors kUsage if none did (with the nearest path).
 Result<int> set_locked(ParamState& state, std::string_view pattern, bool locked);
 

@@ -140,7 +140,7 @@ void Views::join_targets() {
 }
 
 ParamState Views::joint(const LightRig& rig) const {
-  ParamState state{rig, ParamBlock(style_.schema, frame())};
+  ParamState state{rig, ParamBlock(style_.schema, frame()), views_.front().materials};
   int first = 0;
   for (const ParamBlock* source : sources_) {
     copy_params(*source, 0, state.style, first, source->schema().size());
@@ -151,7 +151,7 @@ ParamState Views::joint(const LightRig& rig) const {
 
 ParamState Views::state_of(const ParamState& joint, int view) const {
   const auto index = static_cast<std::size_t>(view);
-  ParamState state{joint.rig, views_[index].style};
+  ParamState state{joint.rig, views_[index].style, joint.materials};
   copy_params(joint.style, first_param_[index], state.style, 0, state.style.schema().size());
   return state;
 }

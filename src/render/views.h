@@ -16,7 +16,8 @@ struct View {
   Renderer* renderer = nullptr;
   Target target;
   ParamBlock style;
-  double weight = 1.0;  ///< > 0, of its error among the others'
+  double weight = 1.0;                         ///< > 0, of its error among the others'
+  std::vector<MaterialParams> materials = {};  ///< of the scene, with their locks; those of the first view count
 };
 
 /// An engine whose picture is the pictures of all views, one above the other, as their metrics compare them. So
@@ -34,7 +35,7 @@ class Views final : public Renderer {
   [[nodiscard]] int count() const { return static_cast<int>(views_.size()); }
   /// What all views together want.
   [[nodiscard]] const Target& target() const { return target_; }
-  /// A rig with the parameters of all styles.
+  /// A rig with the parameters of all styles, and the materials, which the views share as they share the lights.
   [[nodiscard]] ParamState joint(const LightRig& rig) const;
   /// What one view sees of it.
   [[nodiscard]] ParamState state_of(const ParamState& joint, int view) const;

@@ -119,6 +119,23 @@ float emissive_strength(const tinygltf::Material& material) {
   return std::max(static_cast<float>(extension->second.Get("emissiveStrength").GetNumberAsDouble()), 0.0F);
 }
 
+/// The factor of the reflectance at normal incidence; its colour counts as its mean.
+float specular_factor(const tinygltf::Material& material) {
+  const auto extension = material.extensions.find("KHR_materials_specular");
+  if (extension == material.extensions.end()) return 1.0F;
+  double factor = 1.0;
+  if (extension->second.Has("specularFactor")) {
+    factor = std::clamp(extension->second.Get("specularFactor").GetNumberAsDouble(), 0.0, 1.0);
+  }
+  if (!extension->second.Has("specularColorFactor")) return static_cast<float>(factor);
+  const tinygltf::Value& color = extension->second.Get("specularColorFactor");
+  double sum = 0.0;
+  for (int c = 0; c < 3; ++c) {
+    sum += std::max(c < static_cast<int>(color.ArrayLen()) ? color.Get(c).GetNumberAsDouble() : 1.0, 0.0);
+  }
+  return static_cast<float>(factor * sum / 3.0);
+}
+
 float unit(double value) {
   return static_cast<float>(std::clamp(value, 0.0, 1.0));
 }
@@ -141,6 +158,7 @@ Result<Material> material_of(const tinygltf::Material& from, const std::string& 
   to.base_color = color_of(from.pbrMetallicRoughness.baseColorFactor, Vec3(1.0F));
   to.metallic = unit(from.pbrMetallicRoughness.metallicFactor);
   to.roughness = unit(from.pbrMetallicRoughness.roughnessFactor);
+  to.specular = specular_factor(from);
   to.emissive = color_of(from.emissiveFactor, Vec3(0.0F)) * emissive_strength(from);
   to.normal_scale = static_cast<float>(from.normalTexture.scale);
   to.double_sided = from.doubleSided;

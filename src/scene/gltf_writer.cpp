@@ -31,6 +31,7 @@ class GltfWriter {
   int add_view(const void* bytes, std::size_t size, int target);
   Result<void> add_textures();
   void add_materials();
+  void use_extension(const std::string& name);
   int mesh_index(int mesh, int material);
   void add_objects();
   void add_cameras();
@@ -110,6 +111,11 @@ Result<void> GltfWriter::add_textures() {
   return {};
 }
 
+void GltfWriter::use_extension(const std::string& name) {
+  std::vector<std::string>& used = model_.extensionsUsed;
+  if (std::ranges::find(used, name) == used.end()) used.push_back(name);
+}
+
 void GltfWriter::add_materials() {
   for (const Material& from : scene_->materials) {
     tinygltf::Material to;
@@ -129,7 +135,14 @@ void GltfWriter::add_materials() {
     if (strength > 1.0F) {
       tinygltf::Value::Object value{{"emissiveStrength", tinygltf::Value(static_cast<double>(strength))}};
       to.extensions["KHR_materials_emissive_strength"] = tinygltf::Value(std::move(value));
-      if (model_.extensionsUsed.empty()) model_.extensionsUsed.emplace_back("KHR_materials_emissive_strength");
+      use_extension("KHR_materials_emissive_strength");
+    }
+    if (from.specular != 1.0F) {
+      // The colour may exceed 1, and leaves the reflectance at grazing angles alone.
+      const tinygltf::Value factor(static_cast<double>(from.specular));
+      tinygltf::Value::Object value{{"specularColorFactor", tinygltf::Value(tinygltf::Value::Array(3, factor))}};
+      to.extensions["KHR_materials_specular"] = tinygltf::Value(std::move(value));
+      use_extension("KHR_materials_specular");
     }
     to.doubleSided = from.double_sided;
     if (from.line_width_texture >= 0) {

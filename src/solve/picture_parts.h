@@ -45,7 +45,8 @@ class PictureParts {
   /// The index of the colour that a degree of freedom is a channel of, or -1 if it is nothing so simple.
   [[nodiscard]] int color_of(const Dof& dof) const;
 
-  /// The parts that a degree of freedom changes other than by scaling; always all parts of a light.
+  /// The parts that a degree of freedom changes other than by scaling; always all parts of a light. One of the style or
+  /// of a material changes all of them: whatever light does, it does there, and no part is kept while it turns.
   [[nodiscard]] std::vector<int> touched_by(const ParamState& state, const Dof& dof) const;
   /// Those that the degrees of freedom of some blocks touch besides colours, in order, each once.
   [[nodiscard]] std::vector<int> touched_by(const ParamState& state, const UnitMap& map,

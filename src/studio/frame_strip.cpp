@@ -26,7 +26,7 @@ std::string shot_text(const Shot& shot, bool paths) {
 std::string lights_text(const ParamState& lights) {
   LightRig rig = lights.rig;
   pose(rig, 0.0);
-  return rig_to_toml(rig) + block_to_json(lights.style).dump();
+  return rig_to_toml(rig) + block_to_json(lights.style).dump() + material_bytes(lights);
 }
 
 Shot small_shot(const Shot& shot, bool paths, double frame) {

@@ -9,6 +9,7 @@
 #include "image_io/image_io.h"
 #include "studio/heat_map.h"
 #include "studio/results.h"
+#include "studio/scene_export.h"
 
 namespace luminist {
 namespace {
@@ -101,7 +102,7 @@ Result<std::vector<fs::path>> export_pictures(Session& session, const PictureCho
   LUM_TRY(const Results results, collect_results(session));
   const bool files = choice.png || choice.exr || choice.sheet;
   const std::vector<Planned> all = files ? plan(session, choice, results) : std::vector<Planned>{};
-  if (all.empty() && !choice.rig) {
+  if (all.empty() && !choice.rig && !choice.scene) {
     return Error{ErrorKind::kNothingToDo, "nothing is chosen to be exported", "", "pictures",
                  "choose a picture and a format"};
   }
@@ -130,6 +131,15 @@ Result<std::vector<fs::path>> export_pictures(Session& session, const PictureCho
     LUM_TRY_VOID(write_file_atomic(folder / "style.json", results.style_params));
     written.push_back(folder / "rig.toml");
     written.push_back(folder / "style.json");
+    if (!results.materials.empty()) {
+      LUM_TRY_VOID(write_file_atomic(folder / "materials.json", results.materials));
+      written.push_back(folder / "materials.json");
+    }
+  }
+  if (choice.scene) {
+    const fs::path file = folder / "scene.glb";
+    LUM_TRY_VOID(export_scene(session.stage(), session.shot(), session.shown(), file.string()));
+    written.push_back(file);
   }
   return written;
 }

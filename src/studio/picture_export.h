@@ -20,7 +20,8 @@ struct PictureChoice {
   bool png = true;          ///< as the screen shows it at exposure 0
   bool exr = false;         ///< linear, 16 bits
   bool sheet = false;       ///< sheet.png: all of these, small, side by side
-  bool rig = true;          ///< rig.toml and style.json, with which the picture is made again
+  bool rig = true;          ///< rig.toml, style.json and materials.json, with which the picture is made again
+  bool scene = false;       ///< scene.glb, with the materials as they are turned
 };
 /// "light", "paint", "importance", "residual", "each_light": what pictures are called in scripts.
 std::span<const std::string> picture_words();

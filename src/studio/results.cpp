@@ -17,11 +17,23 @@ using Json = nlohmann::json;
 
 namespace {
 
+/// Those that are not as the scene has them, and those that a solve may turn.
+Json materials_to_json(const ParamState& state) {
+  Json materials = Json::object();
+  for (const auto& [name, params] : state.materials) {
+    bool listed = !turn_of(params).nothing();
+    for (int dof = 0; dof < params.schema().dofs(); ++dof) listed = listed || !params.locked(dof);
+    if (listed) materials[name] = block_to_json(params);
+  }
+  return materials;
+}
+
 /// The rig as accepting the lights would leave it: with keys at this frame.
 Results results_of(const Image& picture, const ParamState& lights, double frame, const Target& target,
                    const std::optional<SolveReport>& report) {
   LightRig rig = lights.rig;
   follow_with_keys(rig, frame);
+  const Json materials = materials_to_json(lights);
   return {picture,
           target.color,
           target.importance,
@@ -29,7 +41,8 @@ Results results_of(const Image& picture, const ParamState& lights, double frame,
           rig_to_toml(rig),
           block_to_json(lights.style).dump(2) + "\n",
           report,
-          std::nullopt};
+          std::nullopt,
+          materials.empty() ? "" : materials.dump(2) + "\n"};
 }
 
 }  // namespace
@@ -65,6 +78,7 @@ Result<void> write_results(const Results& results, const std::filesystem::path& 
   LUM_TRY_VOID(make_folder(folder));
   LUM_TRY_VOID(write_file_atomic(folder / "rig.toml", results.rig));
   LUM_TRY_VOID(write_file_atomic(folder / "style.json", results.style_params));
+  if (!results.materials.empty()) LUM_TRY_VOID(write_file_atomic(folder / "materials.json", results.materials));
   // A few bright pixels must not darken the rest of the map.
   const float white = std::max(quantile(results.residual, 0.995), 1e-6F);
   const Image importance = importance_picture(results.importance);
@@ -114,6 +128,7 @@ Json solve_to_json(const SolveReport& report, const ParamState& state, const std
                {"lights", std::move(lights)},
                {"ambient", block_to_json(state.rig.ambient)},
                {"style", block_to_json(state.style)}};
+  if (Json materials = materials_to_json(state); !materials.empty()) json["materials"] = std::move(materials);
   if (verdict) json["verdict"] = verdict_to_json(*verdict);
   return json;
 }

@@ -20,6 +20,7 @@ struct Results {
   std::string style_params;  ///< JSON: {parameter: value}, ready for --set style/PARAMETER=VALUE
   std::optional<SolveReport> report;
   std::optional<Verdict> verdict;
+  std::string materials = {};  ///< JSON: {material: {parameter: value}} of those that are turned; "" if none is
 };
 
 /// Of what the session shows: the proposal or the lights in force. The target is what is painted, or else what the
@@ -30,8 +31,8 @@ Result<Results> collect_results(const Session& session, const ParamState& lights
                                 const std::optional<SolveReport>& report);
 
 /// picture.{exr,png}, target.{exr,png}, importance.{exr,png} (black counts most, as in the paper's figures),
-/// residual.{exr,png} (a heat map over its scale), rig.toml, style.json, after a solve convergence.{jsonl,png}, and
-/// after a verdict verdict.json. /// errors kUnwritable, kChild.
+/// residual.{exr,png} (a heat map over its scale), rig.toml, style.json, materials.json if one is turned, after a solve
+/// convergence.{jsonl,png}, and after a verdict verdict.json. /// errors kUnwritable, kChild.
 Result<void> write_results(const Results& results, const std::filesystem::path& folder);
 
 /// Importance as the paper prints it: 1 is black.
@@ -39,7 +40,8 @@ Image importance_picture(const Image& importance);
 
 /// {"epsilon_start", "epsilon", "evals", "render_equivalents", "seconds", "solver", "termination", "lights": [{"name",
 /// "type", "group", "muted", "objects", "unlocked", "params"}], "ambient": {parameter: value}, "style": {parameter:
-/// value}, "verdict" if there is one: verdict_to_json()}
+/// value}, "materials": {material: {parameter: value}} of those that are turned or free, "verdict" if there is one:
+/// verdict_to_json()}
 nlohmann::json solve_to_json(const SolveReport& report, const ParamState& state,
                              const std::optional<Verdict>& verdict = std::nullopt);
 /// One JSON object a line: render_equivalents, evals, seconds, epsilon.

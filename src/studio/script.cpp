@@ -77,7 +77,7 @@ const std::vector<ScriptRunner::Verb>& ScriptRunner::verbs() {
       {"redo", {"steps"}, &R::step_history},
       {"export", {"to", "label"}, &R::write},
       {"look", {"from", "at", "fov", "size", "to"}, &R::look},
-      {"export_pictures", {"to", "pictures", "formats", "sheet", "rig"}, &R::export_pictures},
+      {"export_pictures", {"to", "pictures", "formats", "sheet", "rig", "scene"}, &R::export_pictures},
       {"contact_sheet", {"to"}, &R::sheet},
       {"save", {"project"}, &R::save},
   };

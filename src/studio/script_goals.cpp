@@ -45,6 +45,7 @@ Result<void> ScriptRunner::export_pictures(const Action& action) {
   LUM_TRY(const std::vector<std::string> formats, action.texts("formats"));
   LUM_TRY(const auto sheet, action.flag("sheet"));
   LUM_TRY(const auto rig, action.flag("rig"));
+  LUM_TRY(const auto scene, action.flag("scene"));
   const auto unknown = [](const std::vector<std::string>& words, std::span<const std::string> known) {
     return std::ranges::any_of(words,
                                [&](const std::string& word) { return std::ranges::find(known, word) == known.end(); });
@@ -67,6 +68,7 @@ Result<void> ScriptRunner::export_pictures(const Action& action) {
   choice.exr = named(formats, "exr", choice.exr);
   choice.sheet = sheet.value_or(false);
   choice.rig = rig.value_or(true);
+  choice.scene = scene.value_or(false);
   LUM_TRY(const auto written, luminist::export_pictures(*session_, choice, output_ / name));
   if (events_.written) events_.written(output_ / name);
   return {};

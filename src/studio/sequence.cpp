@@ -145,7 +145,8 @@ std::string frame_signature(const Stage& stage, const Shot& shot, const ParamSta
   std::string text =
       fmt::format("{}\n{} {} {} {}x{} {}\n{}\n{}\n", made_from, shot.scene_options.floor, shot.scene_options.wall,
                   shot.camera, shot.width, shot.height, stage.moving ? number_text(shot.seconds()) : "still",
-                  rig_to_toml(rig), block_to_json(state.style).dump());
+                  rig_to_toml(rig), block_to_json(state.style).dump()) +
+      material_bytes(state);
   for (const auto& file : StyleFiles(stage.style).files()) {
     const auto bytes = read_file(file);
     text += fmt::format("{} {}\n", file.filename().string(), bytes ? content_hash(*bytes) : "");

@@ -54,7 +54,7 @@ Result<std::unique_ptr<Session>> Session::open_project(Device& device, const Ass
   LUM_TRY(Project project, Project::open(folder, access));
   LUM_TRY(Shot shot, read_shot(project.document()));
   LUM_TRY(auto stage, open_stage(device, roots, shot, folder.parent_path(), diagnostics));
-  LUM_TRY(ParamState state, read_state(project.document(), stage->types, stage->style, stage->frame));
+  LUM_TRY(ParamState state, read_state(project.document(), stage->types, stage->style, stage->frame, stage->materials));
   return std::unique_ptr<Session>(new Session({&device,
                                                roots,
                                                &diagnostics,
@@ -124,7 +124,7 @@ Result<void> Session::reload() {
     LUM_TRY(stage, open_stage(*device_, roots_, shot, folder_, *diagnostics_, same_file ? stage_->moving : nullptr));
   }
   const Stage& next = stage ? *stage : *stage_;
-  LUM_TRY(ParamState state, read_state(project_.document(), next.types, next.style, next.frame));
+  LUM_TRY(ParamState state, read_state(project_.document(), next.types, next.style, next.frame, next.materials));
   drop_proposal();
   solved_.reset();
   canvas_.reset();

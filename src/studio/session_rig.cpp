@@ -204,7 +204,7 @@ Result<void> Session::restyle(const std::string& name) {
   Shot shot = shot_;
   shot.style = name;
   LUM_TRY(auto stage, open_stage(*device_, roots_, shot, folder_, *diagnostics_, stage_->moving));
-  ParamState next{state_.rig, initial_state(stage->types, stage->style, stage->frame).style};
+  ParamState next{state_.rig, initial_state(stage->types, stage->style, stage->frame).style, state_.materials};
   if (base_of(name) == base_of(shot_.style)) keep_values(state_.style, next.style);
   Document document = project_.document();
   document.erase_below("style/");

@@ -15,7 +15,8 @@ Result<SharedSolve> SharedSolve::create(std::span<Session* const> sessions, std:
                    "paint the light that you want to see"};
     }
     LUM_TRY(const Target* target, session->target());
-    views.push_back({session->stage().renderer.get(), *target, session->state().style, weights[k]});
+    const ParamState& state = session->state();
+    views.push_back({session->stage().renderer.get(), *target, state.style, weights[k], state.materials});
   }
   return create(std::move(views), sessions.front()->state().rig, options);
 }

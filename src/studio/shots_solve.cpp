@@ -110,7 +110,8 @@ Result<void> Shots::solve(std::span<const FrameChoice> frames, const SolveOption
     own.push_back(std::move(view));
   }
   for (const FrameView& view : own) {
-    views.push_back({view.renderer, view.canvas.target(), session.state_.style, view.choice.weight});
+    views.push_back(
+        {view.renderer, view.canvas.target(), session.state_.style, view.choice.weight, session.state_.materials});
   }
   LUM_TRY(const LightRig rig, starting_rig(session.state_.rig, own.front(), session.stage_->frame));
   LUM_TRY(SharedSolve solve, SharedSolve::create(std::move(views), rig, options));

@@ -51,10 +51,10 @@ Result<std::unique_ptr<Stage>> open_stage(Device& device, const AssetRoots& root
   stage->id = device.new_id();
   LUM_TRY(stage->style, load_whole_style(roots, shot.style));
   LUM_TRY(stage->types, LightTypes::load(roots));
+  LUM_TRY(stage->scene_file, find_input(shot.scene, folder, roots));
   std::shared_ptr<Scene> loaded = std::move(moving);
   if (!loaded) {
-    LUM_TRY(const std::string path, find_input(shot.scene, folder, roots));
-    LUM_TRY(Scene read, load_scene(path, shot.scene_options, diagnostics));
+    LUM_TRY(Scene read, load_scene(stage->scene_file, shot.scene_options, diagnostics));
     loaded = std::make_shared<Scene>(std::move(read));
   }
   Scene& scene = *loaded;
@@ -65,6 +65,8 @@ Result<std::unique_ptr<Stage>> open_stage(Device& device, const AssetRoots& root
   stage->bounds = scene.bounds();
   for (const Camera& each : scene.cameras) stage->camera_names.push_back(each.name);
   stage->scene_lights = scene.lights;
+  LUM_TRY(const auto material_schema, load_material_schema(roots));
+  stage->materials = material_params(scene.materials, *material_schema);
   LUM_TRY_VOID(make_renderer(*stage, device, scene, camera, roots, shot));
   stage->edges = std::make_shared<const EdgeMask>(edge_pixels(stage->renderer->surface()));
   if (!scene.animation.empty()) stage->moving = std::move(loaded);
@@ -78,6 +80,7 @@ std::span<const std::string> Stage::object_names() const {
 Result<ParamState> starting_state(const Stage& stage, const AssetRoots& roots, const Shot& shot,
                                   const std::filesystem::path& folder) {
   ParamState state = initial_state(stage.types, stage.style, stage.frame);
+  state.materials = stage.materials;
   if (!shot.rig.empty()) {
     LUM_TRY(const std::string path, find_input(shot.rig, folder, roots));
     LUM_TRY(state.rig, load_rig(path, stage.types, stage.frame));

@@ -31,7 +31,9 @@ struct Stage {
   Box bounds;  ///< of the scene without backdrops
   std::vector<std::string> camera_names;
   std::vector<PunctualLight> scene_lights;
-  std::shared_ptr<Scene> moving;  ///< the scene itself, to be posed again; null where nothing moves
+  std::vector<MaterialParams> materials;  ///< as the scene has them
+  std::string scene_file;                 ///< where it was found
+  std::shared_ptr<Scene> moving;          ///< the scene itself, to be posed again; null where nothing moves
   std::unique_ptr<Renderer> renderer;
   RasterRenderer* raster = nullptr;       ///< the renderer, where the style is drawn by the raster engine
   PathRenderer* paths = nullptr;          ///< the renderer, where it is path traced
@@ -49,7 +51,7 @@ Result<std::unique_ptr<Stage>> open_stage(Device& device, const AssetRoots& root
                                           std::shared_ptr<Scene> moving = nullptr);
 
 /// The lights that a shot starts with: its rig file, or the lights in the scene, or none, at the shot's frame; then its
-/// settings.
+/// settings. The materials are the scene's.
 /// errors those of load_rig(), check_links() and set_path().
 Result<ParamState> starting_state(const Stage& stage, const AssetRoots& roots, const Shot& shot,
                                   const std::filesystem::path& folder);

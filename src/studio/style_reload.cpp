@@ -73,7 +73,7 @@ bool StyleFiles::changed() {
 }
 
 ParamState carried_over(const ParamState& state, const Style& style, const SceneFrame& frame) {
-  ParamState next{state.rig, ParamBlock(style.schema, frame)};
+  ParamState next{state.rig, ParamBlock(style.schema, frame), state.materials};
   carry_over(state.style, next.style, frame);
   return next;
 }

@@ -26,6 +26,10 @@ KeptFields::KeptFields(const PathTracer& tracer, std::size_t memory_bytes)
 void KeptFields::use(const PathOptions& options) {
   if (options == options_) return;
   options_ = options;
+  drop();
+}
+
+void KeptFields::drop() {
   paths_.reset();
   bases_.clear();
   entries_.clear();

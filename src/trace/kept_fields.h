@@ -31,6 +31,8 @@ class KeptFields {
 
   /// Other options than before: everything kept is dropped.
   void use(const PathOptions& options);
+  /// The tracer traces other paths from now on: everything kept is dropped.
+  void drop();
   /// How many of `paths` paths may be asked for in each pixel of a whole picture: all, or what memory allows, at least
   /// one.
   [[nodiscard]] int picture_paths(int paths) const;

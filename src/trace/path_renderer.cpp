@@ -48,7 +48,7 @@ Vec3 ambient_of(const ParamState& state) {
   return color ? state.rig.ambient.vec3(*color) : Vec3(0.0F);
 }
 
-/// All that a picture depends on, as bytes.
+/// All that a picture depends on besides its materials, as bytes.
 std::string job_key(const PathSettings& settings, std::span<const RigLight> lights, const Vec3& ambient) {
   std::string key = fmt::format("{} {} {} {} {} {}|", settings.samples, settings.denoise, settings.options.bounces,
                                 settings.options.specular, settings.options.caustics, settings.options.seed);
@@ -108,6 +108,9 @@ class PathRenderer::Impl {
   [[nodiscard]] std::span<const std::string> object_names() const {
     return std::span(surface_.object_names).subspan(1);
   }
+  /// From now on the materials are the state's. What is kept of others is dropped: a path is chosen by the materials it
+  /// meets, and traced anew with the same random numbers it is an unbiased one of the new ones, and near the old one.
+  void turn_materials(const ParamState& state);
   /// The lights that shine in a candidate.
   Result<std::vector<RigLight>> lights_of(const Candidate& candidate, const Softness& softness) const;
   /// The state's colours of a set's pixels, without some lights.
@@ -118,6 +121,8 @@ class PathRenderer::Impl {
   void tally(int kept);  ///< one full picture is a light along as many paths as are kept
 
   PathTracer tracer_;
+  std::string materials_;  ///< material_bytes() of what the tracer has
+  bool turned_ = false;    ///< some material is not as the scene has it
   Style style_;
   SceneFrame frame_;
   SurfaceBuffer surface_;
@@ -147,6 +152,19 @@ Result<std::vector<RigLight>> PathRenderer::Impl::lights_of(const Candidate& can
   return lights;
 }
 
+void PathRenderer::Impl::turn_materials(const ParamState& state) {
+  std::string key = material_bytes(state);
+  if (key == materials_) return;
+  std::vector<MaterialTurn> turns;
+  for (const MaterialParams& material : state.materials) turns.push_back(turn_of(material.params));
+  materials_ = std::move(key);
+  const bool now = std::ranges::any_of(turns, [](const MaterialTurn& turn) { return !turn.nothing(); });
+  const bool before = std::exchange(turned_, now);
+  if (!before && !now) return;  // as the scene has them, however that is said
+  tracer_.turn(std::move(turns));
+  fields_.drop();
+}
+
 void PathRenderer::Impl::tally(int kept) {
   const double along = fields_.shades() + picture_shades_;
   work_.shades += (along - std::exchange(tallied_, along)) / kept;
@@ -155,9 +173,10 @@ void PathRenderer::Impl::tally(int kept) {
 
 Result<Image> PathRenderer::Impl::render(const ParamState& state, bool shadows, const Image* importance) {
   const PathSettings settings = settings_of(state.style);
+  turn_materials(state);
   LUM_TRY(std::vector<RigLight> lights, lights_of({&state, Candidate::kAllLights}, {}));
   for (RigLight& light : lights) light.shadows = shadows;
-  const std::string key = job_key(settings, lights, ambient_of(state));
+  const std::string key = job_key(settings, lights, ambient_of(state)) + materials_;
   if (importance == nullptr && last_ && last_->key == key) return last_->picture;
   std::vector<std::uint32_t> samples(surface_.pixels(), static_cast<std::uint32_t>(settings.samples));
   if (importance != nullptr) {
@@ -175,7 +194,7 @@ Result<Image> PathRenderer::Impl::render(const ParamState& state, bool shadows, 
   picture_shades_ += drawn * static_cast<double>(lights.size());
   work_.pictures += 1.0;
   tally(settings.kept);
-  if (settings.denoise) picture = denoised(picture, surface_);
+  if (settings.denoise) picture = denoised(picture, turned_ ? tracer_.surface_buffer() : surface_);
   if (importance == nullptr) last_ = Drawn{key, picture};
   return picture;
 }
@@ -230,6 +249,7 @@ Result<PixelField> PathRenderer::Impl::colors_of(const ParamState& state, std::s
 Result<double> PathRenderer::Impl::error(const ParamState& state, const Target& target) {
   const PathSettings settings = settings_of(state.style);
   fields_.use(settings.options);
+  turn_materials(state);
   const PixelSet set = counted_pixels(target, settings.kept);
   LUM_TRY(const PixelField colors, colors_of(state, {}, set));
   Image picture(surface_.width, surface_.height, 3);
@@ -244,6 +264,7 @@ Result<void> PathRenderer::Impl::colors_at(const ParamState& state, std::span<co
   LUM_CHECK(pixels.size() == out.size(), "one colour per pixel");
   const PathSettings settings = settings_of(state.style);
   fields_.use(settings.options);
+  turn_materials(state);
   const std::uint64_t id = list_hash(0x9E3779B97F4A7C15ULL, pixels);
   LUM_TRY(const PixelField colors, colors_of(state, without, with_paths(pixels, id, settings.kept)));
   std::ranges::copy(colors, out.begin());
@@ -255,11 +276,12 @@ Result<void> PathRenderer::Impl::evaluate(std::span<const Candidate> candidates,
                                           const Softness& softness, std::span<Vec3> out) {
   const std::size_t count = samples.pixels.size();
   LUM_CHECK(out.size() == candidates.size() * count, "one colour per candidate and sample");
-  // Candidates with other paths than their neighbours are rare: only a style's parameters change paths.
+  // Only parameters of a style and of materials change paths: candidates of one choice of these stand together.
   std::size_t begin = 0;
   while (begin < candidates.size()) {
     const PathSettings settings = settings_of(candidates[begin].state->style);
     fields_.use(settings.options);
+    turn_materials(*candidates[begin].state);
     const PixelSet set = with_paths(samples.pixels, samples.id, paths_for(softness, settings.kept));
     std::vector<RigLight> lights;
     std::vector<std::size_t> first;  // [candidates of this run + 1], of each one's lights
@@ -267,6 +289,7 @@ Result<void> PathRenderer::Impl::evaluate(std::span<const Candidate> candidates,
     for (; end < candidates.size(); ++end) {
       const PathSettings other = settings_of(candidates[end].state->style);
       if (!(other.options == settings.options) || other.kept != settings.kept) break;
+      if (material_bytes(*candidates[end].state) != materials_) break;
       first.push_back(lights.size());
       LUM_TRY(const std::vector<RigLight> own, lights_of(candidates[end], softness));
       lights.insert(lights.end(), own.begin(), own.end());

@@ -58,7 +58,7 @@ Result<PathTracer> PathTracer::create(Scene scene, const Camera& camera, int wid
   tracer.rays_ = std::make_unique<const RayScene>(std::move(rays));
   LUM_TRY(SurfaceRays seen, SurfaceRays::create(scene));
   tracer.seen_ = std::make_unique<const SurfaceRays>(std::move(seen));
-  tracer.surfaces_ = std::make_unique<const SceneSurfaces>(std::move(scene));
+  tracer.surfaces_ = std::make_unique<SceneSurfaces>(std::move(scene));
   tracer.emitters_ = std::make_unique<const MeshEmitters>(*tracer.surfaces_);
   tracer.world_from_camera_ = camera.world_from_camera;
   tracer.near_ = camera.near_plane;

@@ -2,6 +2,7 @@
 // trace/path_tracer.h -- walks from the eye through the scene (Kajiya 1986), with samples of what shines in it.
 #include <cstdint>
 #include <memory>
+#include <utility>
 
 #include "base/result.h"
 #include "rays/ray_scene.h"
@@ -30,6 +31,9 @@ class PathTracer {
   /// errors kLimit if memory runs out.
   static Result<PathTracer> create(Scene scene, const Camera& camera, int width, int height);
 
+  /// Materials as SceneSurfaces::turn() says. Paths that were traced before are of other surfaces.
+  void turn(std::vector<MaterialTurn> turns) { surfaces_->turn(std::move(turns)); }
+
   /// Appends path `sample` of a pixel (linear index). Same arguments, same bits. Light carried on from the second
   /// surface on is a matter of chance (Russian roulette), which keeps its mean.
   /// source of the sum over the ways to find an emitter: Veach 1997.
@@ -52,7 +56,7 @@ class PathTracer {
   void ask_emitters(Walk& walk, const PathVertex& vertex) const;
   [[nodiscard]] bool survives(const Walk& walk, PathVertex& vertex, float chance) const;
 
-  std::unique_ptr<const SceneSurfaces> surfaces_;
+  std::unique_ptr<SceneSurfaces> surfaces_;
   std::unique_ptr<const RayScene> rays_;     ///< what blocks light
   std::unique_ptr<const SurfaceRays> seen_;  ///< what paths meet
   std::unique_ptr<const MeshEmitters> emitters_;

@@ -7,6 +7,8 @@
 
 #include <glm/matrix.hpp>
 
+#include "base/check.h"
+
 namespace luminist {
 namespace {
 
@@ -76,6 +78,11 @@ SceneSurfaces::SceneSurfaces(Scene scene) : scene_(std::move(scene)) {
   clearance_ = kClearance * (reach > 0.0F ? reach : 1.0F);
 }
 
+void SceneSurfaces::turn(std::vector<MaterialTurn> turns) {
+  LUM_CHECK(turns.empty() || turns.size() == scene_.materials.size(), "the turns are of this scene's materials");
+  turns_ = std::move(turns);
+}
+
 Vec3 SceneSurfaces::color_at(int texture, const Vec2& uv) const {
   return texture_color(scene_.textures[static_cast<std::size_t>(texture)], uv);
 }
@@ -143,8 +150,16 @@ SurfacePoint SceneSurfaces::at(const RayHit& hit, const Vec3& direction) const {
     point.roughness *= texel.y;
     metallic *= texel.z;
   }
+  const float dielectric = kDielectric * material.specular * (1.0F - metallic);
   point.albedo = base * (1.0F - metallic);
-  point.specular = Vec3(kDielectric) * (1.0F - metallic) + base * metallic;
+  point.specular = dielectric + base * metallic;
+  if (!turns_.empty()) {
+    const MaterialTurn& turn = turns_[static_cast<std::size_t>(object.material)];
+    const SurfaceColors colors = turned(turn, {point.albedo, point.specular, dielectric, point.roughness});
+    point.albedo = colors.albedo;
+    point.specular = colors.specular;
+    point.roughness = colors.roughness;
+  }
   point.emissive = material.emissive;
   if (material.emissive_texture >= 0) point.emissive *= color_at(material.emissive_texture, uv);
   return point;

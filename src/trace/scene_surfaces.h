@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "rays/surface_rays.h"
+#include "scene/material_params.h"
 #include "scene/scene.h"
 
 namespace luminist {
@@ -24,6 +25,9 @@ struct SurfacePoint {
 class SceneSurfaces {
  public:
   explicit SceneSurfaces(Scene scene);
+
+  /// Materials are as these say from now on; turns: one per material of the scene, or none. Not beside other calls.
+  void turn(std::vector<MaterialTurn> turns);
 
   /// direction: unit, of the ray that hit. cost three corners and up to four texture lookups.
   [[nodiscard]] SurfacePoint at(const RayHit& hit, const Vec3& direction) const;
@@ -47,6 +51,7 @@ class SceneSurfaces {
 
   Scene scene_;
   std::vector<Place> places_;  ///< [objects]
+  std::vector<MaterialTurn> turns_;
   float clearance_ = 0.0F;
 };
 

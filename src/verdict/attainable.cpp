@@ -41,6 +41,9 @@ bool bound_exists(const Renderer& renderer, const ParamState& state) {
     return false;  // smoothed parts are not parts of a smoothed picture
   }
   if (any_free(state.rig.ambient) || any_free(state.style)) return false;
+  for (const MaterialParams& material : state.materials) {
+    if (any_free(material.params)) return false;  // the lights' parts are no parts of what it may become
+  }
   const Light* shared = state.rig.shadow_light.empty() ? nullptr : state.rig.find(state.rig.shadow_light);
   return shared == nullptr || !may_change(state.rig, *shared) || adds_only_color(*shared);
 }

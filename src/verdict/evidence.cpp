@@ -112,8 +112,8 @@ Result<Reached> Evidence::rival(std::vector<ParamState> starts) {
   return search_.search(std::move(starts), everything_, kVariants, 0.0);
 }
 
-Result<std::vector<Unlocking>> Evidence::unlockings(int region, std::size_t keep) {
-  return best_unlockings(*renderer_, *state_, wish(region), keep);
+Result<std::vector<Unlocking>> Evidence::unlockings(int region, std::size_t keep, LockedKind kind) {
+  return best_unlockings(*renderer_, *state_, wish(region), keep, kind);
 }
 
 Result<std::optional<Evidence::Addition>> Evidence::added_light(int region) {

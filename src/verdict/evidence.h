@@ -51,7 +51,7 @@ class Evidence {
   Result<Reached> rival(std::vector<ParamState> starts);
   /// How near a state comes to one stroke, on samples.
   Result<double> own_error(int region, const ParamState& state);
-  Result<std::vector<Unlocking>> unlockings(int region, std::size_t keep);
+  Result<std::vector<Unlocking>> unlockings(int region, std::size_t keep, LockedKind kind);
   /// A light more for one stroke: the best single one of a bank, and what it comes to with everything that is wished.
   struct Addition {
     StartLight light;

@@ -33,6 +33,14 @@ bool has_part(const ParamState& state, int block) {
   return !of_light || !state.rig.lights[static_cast<std::size_t>(light)].muted;
 }
 
+/// Whether a material that no sample of a wish sees is all that a group is of.
+bool unseen(const ParamState& state, const LockedGroup& group, const SampledWish& wish, const SurfaceBuffer& surface) {
+  const int material = material_of_block(state, group.block);
+  return material >= 0 && std::ranges::none_of(wish.samples.pixels, [&](std::uint32_t pixel) {
+           return surface.material[pixel] == static_cast<std::uint32_t>(material) + 1;
+         });
+}
+
 }  // namespace
 
 bool any_free(const ParamBlock& block) {
@@ -52,12 +60,13 @@ bool role_free(const ParamBlock& block, std::string_view role) {
   return false;
 }
 
-std::vector<LockedGroup> locked_groups(const ParamState& state) {
+std::vector<LockedGroup> locked_groups(const ParamState& state, LockedKind kind) {
   std::vector<LockedGroup> groups;
   const std::vector<const ParamBlock*> blocks = state.blocks();
   const std::vector<std::string> paths = state.block_paths();
   for (std::size_t b = 0; b < blocks.size(); ++b) {
-    if (!has_part(state, static_cast<int>(b))) continue;
+    const bool of_material = material_of_block(state, static_cast<int>(b)) >= 0;
+    if (of_material != (kind == LockedKind::kMaterial) || !has_part(state, static_cast<int>(b))) continue;
     const ParamSchema& schema = blocks[b]->schema();
     LockedGroup place;
     place.block = static_cast<int>(b);
@@ -84,8 +93,9 @@ ParamState unlocked(const ParamState& state, const LockedGroup& group) {
 }
 
 Result<std::vector<Unlocking>> best_unlockings(Renderer& renderer, const ParamState& state, const SampledWish& wish,
-                                               std::size_t keep) {
-  const std::vector<LockedGroup> groups = locked_groups(state);
+                                               std::size_t keep, LockedKind kind) {
+  std::vector<LockedGroup> groups = locked_groups(state, kind);
+  std::erase_if(groups, [&](const LockedGroup& group) { return unseen(state, group, wish, renderer.surface()); });
   const WishPlaces places = wish_places(wish, renderer.surface());
   Random random(wish.samples.id);
   QuickSearch search(renderer);

@@ -20,9 +20,12 @@ struct LockedGroup {
   int dofs = 0;                       ///< that unlocking frees
 };
 
-/// Each parameter that has a locked degree of freedom, but not qualities; besides, a light's position and direction
-/// together where both are locked. Muted lights have no part in the picture and are left out.
-std::vector<LockedGroup> locked_groups(const ParamState& state);
+/// What is unlocked: of the light (ambient, lights, style), or of what it falls on.
+enum class LockedKind { kLight, kMaterial };
+
+/// Each parameter of that kind that has a locked degree of freedom, but not qualities; besides, a light's position and
+/// direction together where both are locked. Muted lights have no part in the picture and are left out.
+std::vector<LockedGroup> locked_groups(const ParamState& state, LockedKind kind = LockedKind::kLight);
 
 ParamState unlocked(const ParamState& state, const LockedGroup& group);
 
@@ -31,9 +34,10 @@ struct Unlocking {
   Reached reached;  ///< with the group unlocked, for the wish
 };
 
-/// The `keep` groups whose unlocking brings a state nearest to a wish, nearest first. errors the renderer's.
+/// The `keep` groups whose unlocking brings a state nearest to a wish, nearest first; of materials only those that the
+/// wish's samples see. errors the renderer's.
 /// cost a batch of variants of every group and short descents from the best dozen of them.
 Result<std::vector<Unlocking>> best_unlockings(Renderer& renderer, const ParamState& state, const SampledWish& wish,
-                                               std::size_t keep);
+                                               std::size_t keep, LockedKind kind = LockedKind::kLight);
 
 }  // namespace luminist

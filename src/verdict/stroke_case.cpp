@@ -186,7 +186,7 @@ Result<void> StrokeCase::explain() {
   const Shortfall& shortfall = evidence_->shortfall(region_);
   if (shortfall.dark > kDarkening * shortfall.light) return explain_dark();
   const std::vector<std::string> behind = lights_behind();
-  LUM_TRY(const auto unlocking, best_unlocking());
+  LUM_TRY(const auto unlocking, best_unlocking(LockedKind::kLight));
   if (unlocking && behind.empty()) {
     rule(StrokeOutcome::kImpossible, Cause::kLockedParameter,
          fmt::format("{} {} locked", listed(unlocking->group.patterns),
@@ -214,7 +214,7 @@ Result<void> StrokeCase::explain() {
 
 /// A wish for dark where what is locked is too light.
 Result<void> StrokeCase::explain_dark() {
-  LUM_TRY(const auto unlocking, best_unlocking());
+  LUM_TRY(const auto unlocking, best_unlocking(LockedKind::kLight));
   std::vector<std::string> patterns;
   if (unlocking) {
     patterns = unlocking->group.patterns;
@@ -233,13 +233,21 @@ Result<void> StrokeCase::nothing_helps() {
     verdict_.text = "as near as light comes to this paint";
     return {};
   }
+  // Who paints light is told of light first; a material is named where no light does it.
+  LUM_TRY(const auto unlocking, best_unlocking(LockedKind::kMaterial));
+  if (unlocking) {
+    const std::vector<std::string>& patterns = unlocking->group.patterns;
+    rule(StrokeOutcome::kImpossible, Cause::kLockedParameter, fmt::format("{} is locked", listed(patterns)));
+    unlock(patterns);
+    return {};
+  }
   rule(StrokeOutcome::kImpossible, Cause::kBeyondLight, "no light that was tried makes this");
   return {};
 }
 
 /// The one group whose unlocking helps and costs least elsewhere.
-Result<std::optional<Unlocking>> StrokeCase::best_unlocking() {
-  LUM_TRY(std::vector<Unlocking> candidates, evidence_->unlockings(region_, 3));
+Result<std::optional<Unlocking>> StrokeCase::best_unlocking(LockedKind kind) {
+  LUM_TRY(std::vector<Unlocking> candidates, evidence_->unlockings(region_, 3, kind));
   std::optional<Unlocking> best;
   double least = 0.0;
   for (Unlocking& candidate : candidates) {

@@ -39,7 +39,7 @@ class StrokeCase {
   Result<void> explain();
   Result<void> explain_dark();
   Result<void> nothing_helps();
-  Result<std::optional<Unlocking>> best_unlocking();
+  Result<std::optional<Unlocking>> best_unlocking(LockedKind kind);
   Result<std::vector<std::string>> colors_to_unlock();
   [[nodiscard]] std::vector<std::string> lights_behind() const;
 

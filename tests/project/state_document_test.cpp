@@ -72,6 +72,45 @@ TEST_F(StateDocument, KeepsEveryBitAndEveryLock) {
   }
 }
 
+TEST_F(StateDocument, KeepsOfMaterialsOnlyWhatIsNotAsTheSceneHasIt) {
+  LUM_ASSERT_OK(const auto schema, load_material_schema(AssetRoots::standard()));
+  Material jug;
+  jug.name = "jug";
+  jug.roughness = 0.3F;
+  const std::vector<MaterialParams> own = material_params({jug, Material{}}, *schema);
+  ParamState state = random_state(5);
+  Document without;
+  write_state(state, without);
+  state.materials = own;
+  Document document;
+  write_state(state, document);
+  EXPECT_EQ(document.hash(), without.hash());
+
+  LUM_EXPECT_OK(set_path(state, "materials/jug/tint=0.1,0.2,0.30000001"));
+  LUM_ASSERT_OK(const int freed, set_locked(state, "materials/material/roughness", false));
+  EXPECT_EQ(freed, 1);
+  write_state(state, document);
+  EXPECT_TRUE(document.has("materials/jug/tint"));
+  EXPECT_FALSE(document.has("materials/jug/roughness"));
+  EXPECT_TRUE(document.has("locks/materials/material/roughness"));
+  LUM_ASSERT_OK(const ParamState read, read_state(document, types_, style_, frame_, own));
+  ASSERT_EQ(read.materials.size(), 2U);
+  for (std::size_t i = 0; i < 2; ++i) {
+    EXPECT_TRUE(read.materials[i].params.same_values(state.materials[i].params));
+    for (int dof = 0; dof < 5; ++dof) {
+      EXPECT_EQ(read.materials[i].params.locked(dof), state.materials[i].params.locked(dof));
+    }
+  }
+  state.materials = own;
+  write_state(state, document);
+  EXPECT_EQ(document.hash(), without.hash()) << "what is taken back leaves nothing";
+
+  document.set("materials/jug/tint", "\"red\"");
+  const auto broken = read_state(document, types_, style_, frame_, own);
+  ASSERT_FALSE(broken);
+  EXPECT_EQ(broken.error().field, "materials/jug/tint");
+}
+
 TEST_F(StateDocument, RefusesLinksThatAreNoListOfNames) {
   for (const char* value : {"3", "[1]", "{}", "\"head\"", "oops"}) {
     Document document;

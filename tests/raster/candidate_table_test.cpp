@@ -56,8 +56,8 @@ TEST_F(CandidateTableTest, MutedLightsAndNoLightsLeaveOnlyTheRest) {
   ASSERT_TRUE(table.add({&*state_, 0}, column));
   EXPECT_EQ(table.candidates().at(0)[1], 1U);
   EXPECT_EQ(table.lights().at(0)[2], 11U);
-  EXPECT_EQ(table.candidates().at(1), (CandidateTable::Row{1, 0, 0, 0}));
-  EXPECT_EQ(table.candidates().at(2), (CandidateTable::Row{1, 0, kNone, 0}));
+  EXPECT_EQ(table.candidates().at(2), (CandidateTable::Row{1, 0, 0, 0}));
+  EXPECT_EQ(table.candidates().at(4), (CandidateTable::Row{1, 0, kNone, 0}));
 }
 
 TEST_F(CandidateTableTest, StoresWhatCandidatesShareOnce) {

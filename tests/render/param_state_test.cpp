@@ -63,6 +63,27 @@ TEST_F(ParamStateTest, ListsAmbientThenLightsThenStyle) {
   EXPECT_EQ(blocks[4], &state_.style);
 }
 
+TEST_F(ParamStateTest, MaterialsComeLastAndAreUnlockedByNameOnly) {
+  LUM_ASSERT_OK(const auto schema, load_material_schema(AssetRoots::standard()));
+  Material jug;
+  jug.name = "jug";
+  state_.materials = material_params({jug, Material{}}, *schema);
+  EXPECT_EQ(state_.block_paths().back(), "materials/material");
+  EXPECT_EQ(state_.blocks().back(), &state_.materials[1].params);
+  EXPECT_EQ(material_of_block(state_, 4), -1) << "the style";
+  EXPECT_EQ(material_of_block(state_, 6), 1);
+  EXPECT_EQ(material_of_block(state_, 7), -1);
+  for (const std::string& name : unlocked_by("*")) EXPECT_FALSE(name.starts_with("materials/")) << name;
+  EXPECT_EQ(unlocked_by("materials/jug"),
+            (std::vector<std::string>{"materials/jug/tint.r", "materials/jug/tint.g", "materials/jug/tint.b",
+                                      "materials/jug/specular", "materials/jug/roughness"}));
+  EXPECT_EQ(unlocked_by("materials/*/roughness").size(), 2U) << "\"*\" locks materials, too";
+  LUM_EXPECT_OK(set_path(state_, "materials/jug/roughness=0.25"));
+  EXPECT_EQ(state_.materials[0].params.scalar(*schema->find("roughness")), 0.25F);
+  const Error error = error_of(set_path(state_, "materials/cup/roughness=0.25"));
+  EXPECT_NE(error.what.find("no material \"cup\""), std::string::npos) << error.what;
+}
+
 TEST_F(ParamStateTest, StartsWithoutLightsAndLockedAsTheSchemasSay) {
   const ParamState start = initial_state(types_, load_toon(), frame_);
   EXPECT_TRUE(start.rig.lights.empty());

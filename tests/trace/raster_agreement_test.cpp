@@ -181,6 +181,25 @@ TEST_F(RasterAgreement, HighlightsOfMetalsAreTheSame) {
   compare_pictures(0.02, 0.03);  // as above; metals scatter nothing diffusely, where the engines differ by 1 - F
 }
 
+TEST_F(RasterAgreement, TurnedMaterialsAreTheSame) {
+  Scene scene = board_scene();
+  for (Material& material : scene.materials) material.metallic = 1.0F, material.roughness = 0.5F;
+  scene.materials[0].name = "board";
+  prepare(scene);
+  LUM_ASSERT_OK(const auto schema, load_material_schema(AssetRoots::standard()));
+  for (ParamState* state : {&*rastered_, &*traced_}) state->materials = material_params(scene.materials, *schema);
+  LUM_EXPECT_OK(set_path(*rastered_, "style/specular=1"));
+  LUM_EXPECT_OK(set_path(*traced_, "style/highlights=1"));
+  set("materials/board/tint=0.6,1.1,0.5");
+  set("materials/board/roughness=0.7");
+  add_light("point");
+  set("lights/key/position=-0.6,1.2,-1.4");
+  set("lights/key/color=4,4,4");
+  set("lights/key/falloff_exponent=0");
+  set("lights/key/shadow_softness=0.001");
+  compare_pictures(0.02, 0.03);  // as above
+}
+
 TEST_F(RasterAgreement, TheSurfaceIsTheSame) {
   const SurfaceBuffer& a = raster_->surface();
   const SurfaceBuffer& b = paths_->surface();

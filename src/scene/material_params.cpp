@@ -1,0 +1,173 @@
+#include "scene/material_params.h"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/check.h"
+
+namespace luminist {
+namespace {
+
+constexpr const char* kManifest = "shaders/material.toml";
+constexpr float kDielectric = 0.04F;  // reflectance of everything that is no metal (glTF 2.0, appendix B)
+
+/// The parameter of a role; the schema was checked when it was read.
+int param_of(const ParamSchema& schema, std::string_view role) {
+  const std::optional<int> param = schema.by_role(role);
+  LUM_CHECK(param.has_value(), "the schema is that of materials");
+  return *param;
+}
+
+std::string path_name(const std::string& name) {
+  std::string word = name.empty() ? "material" : name.substr(0, 255);
+  for (char& c : word) {
+    const auto byte = static_cast<unsigned char>(c);
+    if (byte < 0x20 || byte == 0x7F || c == '/' || c == '*' || c == '=' || c == ':') c = '-';
+  }
+  return word;
+}
+
+/// The default of a role becomes what the material has.
+void start_at(std::vector<ParamSpec>& specs, std::string_view role, float value) {
+  for (ParamSpec& spec : specs) {
+    if (spec.role != role) continue;
+    spec.default_value.assign(1, value);
+    spec.range_min[0] = std::min(spec.range_min[0], static_cast<double>(value));
+    spec.range_max[0] = std::max(spec.range_max[0], static_cast<double>(value));
+  }
+}
+
+/// How a value stands to the material's own one.
+void relate(float now, float own, float& scale, float& shift) {
+  if (now == own) return;
+  if (own > 0.0F) {
+    scale = now / own;
+  } else {
+    scale = 0.0F;
+    shift = now;
+  }
+}
+
+float own_value(const ParamSchema& schema, int param) {
+  return static_cast<float>(schema[param].default_value[0]);
+}
+
+/// A tint as a factor of the material, or as a texture of its own where a factor would have to be above 1.
+void bake_tint(Scene& scene, Material& material, const Vec3& tint) {
+  const Vec3 wanted = material.base_color * glm::max(tint, Vec3(0.0F));
+  if (material.base_color_texture < 0 || std::max({wanted.x, wanted.y, wanted.z}) <= 1.0F) {
+    material.base_color = glm::min(wanted, glm::max(Vec3(1.0F), material.base_color));
+    return;
+  }
+  Texture own = scene.textures[static_cast<std::size_t>(material.base_color_texture)];
+  own.name = fmt::format("{} {}", own.name, material.name);
+  const auto channels = static_cast<std::size_t>(own.image.channels);
+  for (std::size_t i = 0; i < own.image.pixels(); ++i) {
+    for (int c = 0; c < 3; ++c) {
+      float& value = own.image.data[i * channels + static_cast<std::size_t>(c)];
+      value = std::min(value * wanted[c], 1.0F);
+    }
+  }
+  material.base_color = Vec3(1.0F);
+  material.base_color_texture = static_cast<int>(scene.textures.size());
+  scene.textures.push_back(std::move(own));
+}
+
+}  // namespace
+
+Result<std::shared_ptr<const ParamSchema>> load_material_schema(const AssetRoots& roots) {
+  LUM_TRY(const std::filesystem::path path, roots.find(kManifest));
+  LUM_TRY(const std::string text, read_file(path));
+  LUM_TRY(auto schema, ParamSchema::parse(text, path.string()));
+  const std::array<std::pair<const char*, ParamType>, 3> wanted{
+      {{"tint", ParamType::kColor}, {"specular", ParamType::kFloat}, {"roughness", ParamType::kFloat}}};
+  for (const auto& [role, type] : wanted) {
+    const std::optional<int> param = schema->by_role(role);
+    if (param && (*schema)[*param].type == type && (*schema)[*param].scale != ParamScale::kScene) continue;
+    return Error{ErrorKind::kStyle, fmt::format("there is no parameter of the role \"{}\"", role), path.string(), role,
+                 fmt::format("declare one of the type {}", type_name(type))};
+  }
+  return schema;
+}
+
+std::vector<std::string> material_names(const std::vector<Material>& materials) {
+  std::vector<std::string> names;
+  for (const Material& material : materials) {
+    const std::string wanted = path_name(material.name);
+    std::string name = wanted;
+    for (int number = 2; std::ranges::find(names, name) != names.end(); ++number) {
+      name = fmt::format("{}-{}", wanted, number);
+    }
+    names.push_back(std::move(name));
+  }
+  return names;
+}
+
+std::vector<MaterialParams> material_params(const std::vector<Material>& materials, const ParamSchema& schema) {
+  const std::vector<std::string> names = material_names(materials);
+  std::map<std::pair<float, float>, std::shared_ptr<const ParamSchema>> schemas;  // by the material's own values
+  std::vector<MaterialParams> params;
+  for (std::size_t i = 0; i < materials.size(); ++i) {
+    const Material& material = materials[i];
+    std::shared_ptr<const ParamSchema>& own = schemas[{material.specular, material.roughness}];
+    if (own == nullptr) {
+      std::vector<ParamSpec> specs = schema.specs();
+      start_at(specs, "specular", material.specular);
+      start_at(specs, "roughness", material.roughness);
+      auto created = ParamSchema::create(std::move(specs), kManifest);
+      LUM_CHECK(created, "a schema with other defaults in its ranges is one");
+      own = std::move(created).value();
+    }
+    params.push_back({names[i], ParamBlock(own, {})});
+  }
+  return params;
+}
+
+MaterialTurn turn_of(const ParamBlock& params) {
+  const ParamSchema& schema = params.schema();
+  const int specular = param_of(schema, "specular");
+  const int roughness = param_of(schema, "roughness");
+  MaterialTurn turn;
+  turn.tint = params.vec3(param_of(schema, "tint"));
+  relate(params.scalar(roughness), own_value(schema, roughness), turn.roughness_scale, turn.roughness_shift);
+  relate(params.scalar(specular), own_value(schema, specular), turn.specular_scale, turn.specular_shift);
+  turn.specular_shift *= kDielectric;
+  const bool same = params.scalar(roughness) == own_value(schema, roughness) &&
+                    params.scalar(specular) == own_value(schema, specular) && turn.tint == Vec3(1.0F);
+  turn.turns = same ? 0.0F : 1.0F;
+  return turn;
+}
+
+SurfaceColors turned(const MaterialTurn& turn, const SurfaceColors& colors) {
+  if (turn.nothing()) return colors;
+  const Vec3 metal = colors.specular - colors.dielectric;
+  const Vec3 base = colors.albedo + metal;  // a metal's part and the other are shares of one base colour
+  const Vec3 most = 1.0F / glm::clamp(base, Vec3(1e-6F), Vec3(1.0F));
+  const Vec3 tint = glm::clamp(turn.tint, Vec3(0.0F), most);
+  SurfaceColors result;
+  result.albedo = colors.albedo * tint;
+  result.dielectric = std::clamp(colors.dielectric * turn.specular_scale + turn.specular_shift, 0.0F, 1.0F);
+  result.specular = metal * tint + result.dielectric;
+  result.roughness = std::clamp(colors.roughness * turn.roughness_scale + turn.roughness_shift, 0.0F, 1.0F);
+  return result;
+}
+
+Scene with_materials(Scene scene, const std::vector<MaterialParams>& params) {
+  LUM_CHECK(params.empty() || params.size() == scene.materials.size(), "the parameters are of this scene");
+  for (std::size_t i = 0; i < params.size(); ++i) {
+    const ParamBlock& block = params[i].params;
+    if (turn_of(block).nothing()) continue;
+    const ParamSchema& schema = block.schema();
+    Material& material = scene.materials[i];
+    material.roughness = std::clamp(block.scalar(param_of(schema, "roughness")), 0.0F, 1.0F);
+    material.specular = std::max(block.scalar(param_of(schema, "specular")), 0.0F);
+    bake_tint(scene, material, block.vec3(param_of(schema, "tint")));
+  }
+  return scene;
+}
+
+}  // namespace luminist
