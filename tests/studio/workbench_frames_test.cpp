@@ -42,7 +42,10 @@ TEST_F(WorkbenchFramesTest, ASolveOfSeveralFramesThatUndoBringsBackStillAnswersA
   EXPECT_FALSE(look()->proposal);
   LUM_EXPECT_OK(bench_->act([](Session& session) { return session.undo(); }));
   ASSERT_TRUE(look()->proposal);
-  EXPECT_EQ(look()->frames->solved.size(), 2U);
+  LUM_EXPECT_OK(bench_->act([](Session& session) -> Result<void> {
+    EXPECT_EQ(session.solved()->frames.size(), 2U);
+    return {};
+  }));
   EXPECT_EQ(painted_frames(), 2U);
   LUM_EXPECT_OK(bench_->act([](Session& session) { return session.accept(); }));
   EXPECT_EQ(painted_frames(), 0U);
