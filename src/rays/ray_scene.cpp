@@ -17,6 +17,7 @@ namespace {
 
 constexpr std::size_t kPacket = 16;
 constexpr float kEndMargin = 1e-5F;  // fraction of a segment that belongs to its ends
+constexpr float kAir = 1e-3F;        // around the bounds, of their diagonal: what touches them is not at an end
 
 using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 
@@ -76,6 +77,12 @@ class RaySceneImpl {
       if (!attach(device_, scene_, caster.positions, caster.open, place, false)) return false;
     }
     rtcCommitScene(scene_);
+    RTCBounds bounds;
+    rtcGetSceneBounds(scene_, &bounds);
+    const Vec3 low(bounds.lower_x, bounds.lower_y, bounds.lower_z);
+    const Vec3 high(bounds.upper_x, bounds.upper_y, bounds.upper_z);
+    const Vec3 air(kAir * glm::length(high - low));
+    low_ = low - air, high_ = high + air;
     return rtcGetDeviceError(device_) == RTC_ERROR_NONE;
   }
 
@@ -83,7 +90,8 @@ class RaySceneImpl {
     return object < shadow_slack_.size() ? shadow_slack_[object] : 0.0F;
   }
 
-  [[nodiscard]] bool blocked(const Segment& segment) const {
+  [[nodiscard]] bool blocked(const Segment& whole) const {
+    const Segment segment = near_part(whole);
     const Vec3 way = segment.to - segment.from;
     if (!is_finite(segment.from) || !is_finite(way)) return false;
     RTCRay ray{};
@@ -102,7 +110,7 @@ class RaySceneImpl {
     RTCRay16 rays;
     alignas(64) std::array<int, kPacket> valid;
     for (std::size_t i = 0; i < kPacket; ++i) {
-      const Segment segment = i < segments.size() ? segments[i] : Segment{Vec3(0.0F), Vec3(0.0F)};
+      const Segment segment = i < segments.size() ? near_part(segments[i]) : Segment{Vec3(0.0F), Vec3(0.0F)};
       const Vec3 way = segment.to - segment.from;
       valid[i] = i < segments.size() && is_finite(segment.from) && is_finite(way) ? -1 : 0;
       rays.org_x[i] = segment.from.x, rays.org_y[i] = segment.from.y, rays.org_z[i] = segment.from.z;
@@ -119,9 +127,24 @@ class RaySceneImpl {
   }
 
  private:
+  /// Without what of its beginning lies outside of the bounds. It still ends where it did, and comes from the same way.
+  [[nodiscard]] Segment near_part(const Segment& segment) const {
+    const Vec3 back = segment.from - segment.to;
+    float inside = 1.0F;  // of the way back
+    for (int axis = 0; axis < 3; ++axis) {
+      if (back[axis] == 0.0F) continue;
+      const float wall = back[axis] > 0.0F ? high_[axis] : low_[axis];
+      inside = std::min(inside, (wall - segment.to[axis]) / back[axis]);
+    }
+    // What is not finite, and what ends outside, stays whole.
+    return inside > 0.0F && inside < 1.0F ? Segment{segment.to + inside * back, segment.to} : segment;
+  }
+
   RTCDevice device_;
   RTCScene scene_;
   std::vector<float> shadow_slack_;  ///< [objects]
+  Vec3 low_{0.0F};                   ///< bounds of all that blocks, and some air around it
+  Vec3 high_{0.0F};
 };
 
 RayScene::RayScene(std::unique_ptr<RaySceneImpl> impl) : impl_(std::move(impl)) {}

@@ -10,7 +10,8 @@
 namespace luminist {
 
 /// A segment from `from` to `to`, world space; it is blocked by anything strictly between its ends (what lies within
-/// 1e-5 of its length of an end belongs to that end: that is where single precision can no longer tell).
+/// 1e-5 of its length of an end belongs to that end: that is where single precision can no longer tell). What lies
+/// outside of the bounds of all that blocks light is no part of that length: a sun's segments are as exact as a lamp's.
 struct Segment {
   Vec3 from;
   Vec3 to;

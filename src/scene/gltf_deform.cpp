@@ -41,11 +41,14 @@ class DeformerReader {
     return result;
   }
 
+  /// Whether more values than are wanted are a fault: a file may share the matrices of a larger skin.
+  enum class Count { kExactly, kAtLeast };
   [[nodiscard]] Result<std::vector<float>> floats(int accessor, int components, std::size_t count,
-                                                  const std::string& field) const {
+                                                  const std::string& field, Count wanted = Count::kExactly) const {
     LUM_TRY(std::vector<float> numbers, gltf_floats(*model_, accessor, components, path_, field));
     const auto stride = static_cast<std::size_t>(components);
-    if (numbers.size() != count * stride) {
+    const bool spare = wanted == Count::kAtLeast && numbers.size() > count * stride;
+    if (numbers.size() != count * stride && !spare) {
       return bad(fmt::format("{} values where {} are wanted", numbers.size() / stride, count), field);
     }
     if (!std::all_of(numbers.begin(), numbers.end(), [](float v) { return std::isfinite(v); })) {
@@ -65,9 +68,10 @@ class DeformerReader {
     deformer.joints = skin.joints;
     deformer.joint_from_mesh.assign(skin.joints.size(), Mat4(1.0F));
     if (skin.inverseBindMatrices >= 0) {
+      const std::string binds = skin_field + ".inverseBindMatrices";
       LUM_TRY(const std::vector<float> numbers,
-              floats(skin.inverseBindMatrices, 16, skin.joints.size(), skin_field + ".inverseBindMatrices"));
-      for (std::size_t i = 0; i < numbers.size(); ++i) {
+              floats(skin.inverseBindMatrices, 16, skin.joints.size(), binds, Count::kAtLeast));
+      for (std::size_t i = 0; i < 16 * skin.joints.size(); ++i) {
         deformer.joint_from_mesh[i / 16][static_cast<int>(i % 16 / 4)][static_cast<int>(i % 4)] = numbers[i];
       }
     }

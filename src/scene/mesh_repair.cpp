@@ -127,18 +127,18 @@ void drop_faulty_faces(Mesh& mesh, const std::string& where, const std::string& 
   }
 }
 
-void repair_normals(Mesh& mesh, const std::string& where, const std::string& field, Diagnostics& diagnostics) {
+bool repair_normals(Mesh& mesh, const std::string& where, const std::string& field, Diagnostics& diagnostics) {
   if (mesh.normals.size() != mesh.positions.size()) {
     compute_normals(mesh, kCreaseAngle);
-    return;
+    return false;
   }
   const std::size_t filled = fill_broken_normals(mesh);
   if (filled > 0) diagnostics.warn(where, fmt::format("{}: {} broken normals were made smooth", field, filled));
   constexpr double kMost = 0.9;  // beyond doubt: a rim that bends its normals over does not count
-  if (share_on_back(mesh) > kMost) {
-    for (Vec3& n : mesh.normals) n = -n;
-    diagnostics.warn(where, fmt::format("{}: the normals look inwards and were turned", field));
-  }
+  if (share_on_back(mesh) <= kMost) return false;
+  for (Vec3& n : mesh.normals) n = -n;
+  diagnostics.warn(where, fmt::format("{}: the normals look inwards and were turned", field));
+  return true;
 }
 
 bool turn_outside(Mesh& mesh) {

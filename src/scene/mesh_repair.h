@@ -19,8 +19,9 @@ inline bool is_usable(const Vec3& p) {
 void drop_faulty_faces(Mesh& mesh, const std::string& where, const std::string& field, Diagnostics& diagnostics);
 
 /// Makes normals valid: computes missing ones, normalizes, replaces those that are zero or not finite by the smooth
-/// normal of their place, and turns all of them if most of the surface has its normals on its back.
-void repair_normals(Mesh& mesh, const std::string& where, const std::string& field, Diagnostics& diagnostics);
+/// normal of their place, and turns all of them if most of the surface has its normals on its back. returns whether all
+/// were turned.
+bool repair_normals(Mesh& mesh, const std::string& where, const std::string& field, Diagnostics& diagnostics);
 
 /// Turns the winding of a closed surface that is inside out (negative volume), and its normals with it.
 /// Returns whether it did.

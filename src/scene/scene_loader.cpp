@@ -120,6 +120,16 @@ void add_tangents(Scene& scene) {
   }
 }
 
+/// What morph targets add to the normals of a mesh turns as those do.
+void turn_target_normals(Scene& scene, int mesh) {
+  for (const Object& object : scene.objects) {
+    if (object.mesh != mesh || object.deformer < 0) continue;
+    for (MorphTarget& target : scene.deformers[static_cast<std::size_t>(object.deformer)].targets) {
+      for (Vec3& normal : target.normals) normal = -normal;
+    }
+  }
+}
+
 Result<void> repair(Scene& scene, const std::string& path, bool bare, Diagnostics& diagnostics) {
   const std::vector<std::string> labels = mesh_labels(scene);
   for (std::size_t i = 0; i < scene.meshes.size(); ++i) {
@@ -127,7 +137,7 @@ Result<void> repair(Scene& scene, const std::string& path, bool bare, Diagnostic
     drop_faulty_faces(mesh, path, labels[i], diagnostics);
     if (mesh.triangles.empty()) continue;
     const bool had_normals = mesh.normals.size() == mesh.positions.size();
-    repair_normals(mesh, path, labels[i], diagnostics);
+    if (repair_normals(mesh, path, labels[i], diagnostics)) turn_target_normals(scene, static_cast<int>(i));
     // A glTF may mean it (a closed room); a bare mesh without normals that is inside out was written by mistake.
     if (bare && !had_normals && turn_outside(mesh)) {
       diagnostics.warn(path, fmt::format("{}: the surface was inside out and was turned", labels[i]));
@@ -164,10 +174,10 @@ Result<Scene> load_scene(const std::string& path, const SceneOptions& options, D
   const std::string extension = lower_extension(path);
   make_names_unique(scene);
   LUM_TRY_VOID(repair(scene, path, extension != ".gltf" && extension != ".glb", diagnostics));
+  hang(scene);  // cameras and backdrops are fitted to skins where their joints hold them
   if (scene.cameras.empty()) scene.cameras.push_back(automatic_camera(scene));
   add_backdrops(scene, options);
   make_names_unique(scene);
-  hang(scene);
   fit_clip_planes(scene);
   return scene;
 }

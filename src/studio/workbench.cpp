@@ -133,7 +133,8 @@ void Workbench::keep_proposal() {
   const Solved* solved = session_->has_proposal() ? session_->solved() : nullptr;
   kept_.erase(place);
   if (solved != nullptr)
-    kept_.emplace(place, KeptProposal{session_->shown(), solved->options, solved->report, solved->label});
+    kept_.emplace(place,
+                  KeptProposal{session_->shown(), solved->options, solved->report, solved->label, solved->frames});
 }
 
 /// The proposal that was here, or null.
@@ -143,7 +144,7 @@ const KeptProposal* Workbench::put_back_proposal() {
   const auto target = session_->target();
   if (!target) return nullptr;
   const KeptProposal& known = kept->second;
-  session_->propose(known.lights, {known.options, known.report, **target, known.label});
+  session_->propose(known.lights, {known.options, known.report, **target, known.label, std::nullopt, known.frames});
   return &known;
 }
 

@@ -32,6 +32,7 @@ struct KeptProposal {
   SolveOptions options;
   SolveReport report;
   std::string label;
+  std::vector<SolvedFrame> frames;
   /// The search for it was not at its end.
   [[nodiscard]] bool goes_on() const {
     return report.solver == "live" &&

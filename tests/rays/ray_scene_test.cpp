@@ -48,6 +48,18 @@ TEST(RayScene, DoesNotCountSurfacesAtTheEndsOfASegment) {
   EXPECT_EQ(blocked(rays, {0.2F, 0.1F, 0.0F}, {0.3F, 0.1F, 3.0F}), 0);
 }
 
+TEST(RayScene, ALightFarAwayIsBlockedAsNearToTheReceiverAsALampIs) {
+  LUM_ASSERT_OK(const RayScene rays, RayScene::create(square_scene(1.0F, Mat4(1.0F))));
+  const Vec3 receiver(0.2F, 0.1F, -0.001F);  // a thousandth of the square below it
+  for (const float distance : {1.0F, 3e3F, 1e6F}) {
+    const Vec3 light = receiver + distance * glm::normalize(Vec3(0.3F, 0.2F, 1.0F));
+    EXPECT_EQ(blocked(rays, light, receiver), 1) << distance;
+    EXPECT_TRUE(rays.blocked({light, receiver})) << distance;
+    EXPECT_EQ(blocked(rays, light, {0.2F, 0.1F, 0.0F}), 0) << "it does not block itself, " << distance;
+    EXPECT_EQ(blocked(rays, light, {1.2F, 0.1F, -0.001F}), 0) << "passes beside it, " << distance;
+  }
+}
+
 TEST(RayScene, PlacesObjectsInTheWorld) {
   Mat4 lifted(1.0F);
   lifted[3] = Vec4(5.0F, 0.0F, 2.0F, 1.0F);

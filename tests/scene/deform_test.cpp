@@ -14,9 +14,10 @@ constexpr float kRounding = 1e-5F;
 /// A glTF file with one mesh of two triangles, a strip from y = 0 over y = 1 to y = 2, written accessor by accessor.
 class StripFile {
  public:
-  StripFile() {
+  /// side: 1, or -1 for normals that look to the back.
+  explicit StripFile(float side = 1.0F) {
     positions_ = add({0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 2, 0, 1, 2, 0}, "VEC3");
-    normals_ = add({0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1, 0, 0, 1}, "VEC3");
+    normals_ = add({0, 0, side, 0, 0, side, 0, 0, side, 0, 0, side, 0, 0, side, 0, 0, side}, "VEC3");
   }
   /// returns the accessor's number.
   int add(const std::vector<float>& numbers, const std::string& type) {
@@ -125,6 +126,37 @@ TEST(Skin, TheSceneKeepsTheFrameThatItHasAtRest) {
   EXPECT_LT(scene.bounds().hi.y, 1.5F);
 }
 
+TEST(Skin, MatricesThatNoJointAsksForAreLeftOut) {
+  StripFile file;
+  std::vector<float> matrices(48, 0.0F);
+  for (std::size_t i = 0; i < 12; ++i) matrices[16 * (i / 4) + 5 * (i % 4)] = 1.0F;
+  const int joints = file.add(std::vector<float>(24, 0.0F), "VEC4");
+  std::vector<float> shares(24, 0.0F);
+  for (std::size_t i = 0; i < 6; ++i) shares[4 * i] = 1.0F;
+  const int weights = file.add(shares, "VEC4");
+  const int inverse = file.add(matrices, "MAT4");
+  SceneFile loaded(
+      "a.gltf", file.text(R"(,"JOINTS_0":)" + std::to_string(joints) + R"(,"WEIGHTS_0":)" + std::to_string(weights), "",
+                          R"([{"name":"strip","mesh":0,"skin":0},{"name":"root","translation":[0,0,7]}])",
+                          R"("skins":[{"joints":[1],"inverseBindMatrices":)" + std::to_string(inverse) + "}],"));
+  LUM_ASSERT_OK(const Scene scene, loaded.load());
+  expect_near(vertex(scene, 5), Vec3(1, 2, 7));
+}
+
+TEST(Skin, IsFramedWhereItsJointsHoldIt) {
+  std::string text = bending(0.5F);
+  const std::string root = R"({"name":"root",)";
+  text.insert(text.find(root) + root.size(), R"("translation":[0,30,40],)");
+  SceneFile file("a.gltf", text);
+  LUM_ASSERT_OK(const Scene scene, file.load({.floor = true}));
+  const Camera& camera = scene.cameras.front();
+  const Vec3 seen(glm::inverse(camera.world_from_camera) * Vec4(scene.bounds().center(), 1.0F));
+  EXPECT_NEAR(seen.x / seen.z, 0.0F, 0.1F);  // before the camera and about in the middle of its picture
+  EXPECT_NEAR(seen.y / seen.z, 0.0F, 0.1F);
+  EXPECT_LT(seen.z, 0.0F);
+  EXPECT_NEAR(scene.bounds(true).lo.y, 30.0F, 0.01F);  // the floor is under it
+}
+
 TEST(Skin, AJointThatIsNotThereIsNamed) {
   std::string text = bending(0.5F);
   text.replace(text.find("\"joints\":[1,2]"), 14, "\"joints\":[1,7]");
@@ -149,6 +181,23 @@ TEST(Morph, TargetsAreAddedByTheirWeights) {
   // The upper half has risen by 45 degrees: its normals lean back, those of the lower end stay.
   expect_near(scene.meshes[0].normals[5], Vec3(0, -std::sqrt(0.5F), std::sqrt(0.5F)));
   expect_near(scene.meshes[0].normals[0], Vec3(0, 0, 1));
+}
+
+TEST(Morph, WhereNormalsLookInwardsThoseOfTheTargetsAreTurnedToo) {
+  for (const float side : {1.0F, -1.0F}) {
+    StripFile file(side);
+    const int still = file.add(std::vector<float>(18, 0.0F), "VEC3");
+    std::vector<float> lean(18, 0.0F);  // of every normal to the right
+    for (std::size_t i = 0; i < 6; ++i) lean[3 * i] = side;
+    const int leaning = file.add(lean, "VEC3");
+    SceneFile loaded("a.gltf", file.text("",
+                                         R"(,"targets":[{"POSITION":)" + std::to_string(still) + R"(,"NORMAL":)" +
+                                             std::to_string(leaning) + "}]",
+                                         R"([{"name":"strip","mesh":0,"weights":[1]},{"name":"other"}])", ""));
+    LUM_ASSERT_OK(const Scene scene, loaded.load());
+    EXPECT_EQ(loaded.warnings(), side < 0.0F ? 1U : 0U);
+    expect_near(scene.meshes[0].normals[0], Vec3(std::sqrt(0.5F), 0, std::sqrt(0.5F)));
+  }
 }
 
 TEST(Morph, StepsAndSplinesGoAsTheFormatSays) {

@@ -1,0 +1,55 @@
+// A workbench whose paint is of several frames.
+#include "studio/shots.h"
+#include "studio/workbench_fixture.h"
+
+namespace luminist {
+namespace {
+
+class WorkbenchFramesTest : public WorkbenchTest {
+ protected:
+  void paint_at(double frame) {
+    LUM_EXPECT_OK(bench_->act([&](Session& session) -> Result<void> {
+      LUM_TRY_VOID(session.go_to(frame));
+      return session.paint(light_strokes(), "strokes.json");
+    }));
+  }
+  std::size_t painted_frames() {
+    std::size_t count = 0;
+    LUM_EXPECT_OK(bench_->act([&](Session& session) -> Result<void> {
+      count = Shots(session).painted().size();
+      return {};
+    }));
+    return count;
+  }
+};
+
+TEST_F(WorkbenchFramesTest, ASolveOfSeveralFramesThatUndoBringsBackStillAnswersAllOfThem) {
+  bench_->set_live(false);
+  LUM_EXPECT_OK(bench_->act([](Session& session) -> Result<void> {
+    NewLight plain;
+    plain.from_paint = false;
+    LUM_TRY_VOID(session.add_light(plain));
+    return {};
+  }));
+  paint_at(24);
+  paint_at(0);
+  LUM_EXPECT_OK(bench_->act([](Session& session) {
+    const std::vector<FrameChoice> both = {{0}, {24}};
+    return Shots(session).solve(both, few_evals(), false, {});
+  }));
+  ASSERT_TRUE(look()->proposal);
+  LUM_EXPECT_OK(bench_->act([](Session& session) { return session.paint(light_strokes(), "strokes.json"); }));
+  EXPECT_FALSE(look()->proposal);
+  LUM_EXPECT_OK(bench_->act([](Session& session) { return session.undo(); }));
+  ASSERT_TRUE(look()->proposal);
+  LUM_EXPECT_OK(bench_->act([](Session& session) -> Result<void> {
+    EXPECT_EQ(session.solved()->frames.size(), 2U);
+    return {};
+  }));
+  EXPECT_EQ(painted_frames(), 2U);
+  LUM_EXPECT_OK(bench_->act([](Session& session) { return session.accept(); }));
+  EXPECT_EQ(painted_frames(), 0U);
+}
+
+}  // namespace
+}  // namespace luminist
