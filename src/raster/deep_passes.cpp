@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/check.h"
+#include "gpu/settle.h"
 #include "raster/deep_framebuffer.h"
 
 namespace luminist {
@@ -154,7 +155,10 @@ void DeepPasses::draw(Device& device, int band) {
   glDisable(GL_SCISSOR_TEST);
   glFrontFace(GL_CCW);
   program_.set("eye", eye_);
-  for (int layer = 0; layer < kLayers; ++layer) draw_layer(layer, first_row(band));
+  for (int layer = 0; layer < kLayers; ++layer) {
+    draw_layer(layer, first_row(band));
+    settle(device);
+  }
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
   if (!lines_) return;
   bind();

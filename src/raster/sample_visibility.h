@@ -17,9 +17,10 @@ namespace luminist {
 /// and shape do not move its shadows; only a new position or another filter costs rays.
 class SampleVisibility {
  public:
-  /// rays and surface outlive it. budget_values: floats that are remembered at most.
+  /// rays and surface outlive it. budget_values: floats that are remembered at most; 16 MB are some thousand places of
+  /// lights, which a search goes back to while it is near them.
   SampleVisibility(const RayScene& rays, const SurfaceBuffer& surface,
-                   std::size_t budget_values = std::size_t{1} << 24);
+                   std::size_t budget_values = std::size_t{1} << 22);
 
   /// Traces what is not remembered of these lights, on all cores. The filter's radius is at least
   /// softness.shadow_angle; softness.shadow_rays rays for each sample, placed so that samples next to each other in the

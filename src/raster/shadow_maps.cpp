@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "gpu/settle.h"
+
 namespace luminist {
 namespace {
 
@@ -123,6 +125,7 @@ Result<ShadowMaps::Map> ShadowMaps::draw_map(const ShadowLight& light) {
       glCullFace(glm::determinant(Mat3(draw.world_from_object)) < 0.0F ? GL_FRONT : GL_BACK);
       meshes_->draw(draw);
     }
+    settle(*device_);
   }
   glDisable(GL_CULL_FACE);
   glCullFace(GL_BACK);
