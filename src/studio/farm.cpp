@@ -29,7 +29,8 @@ std::vector<std::string> chunks(const FarmJob& job) {
 
 std::string command_without_frames(const FarmJob& job) {
   std::string line = shell_word(job.program) + " render";
-  for (const std::string& argument : job.arguments) fmt::format_to(std::back_inserter(line), " {}", shell_word(argument));
+  for (const std::string& argument : job.arguments)
+    fmt::format_to(std::back_inserter(line), " {}", shell_word(argument));
   return line;
 }
 
