@@ -69,6 +69,11 @@ struct Words {
   bool json = false;
 };
 
+/// Names of objects are bytes of a file; what is no UTF-8 is replaced.
+std::string text_of(const nlohmann::ordered_json& json) {
+  return json.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace);
+}
+
 }  // namespace
 
 Verb declare_info(CLI::App& app) {
@@ -79,12 +84,12 @@ Verb declare_info(CLI::App& app) {
   return [words](VerbContext& context) -> Result<int> {
     LUM_TRY(const auto all, words->scene.empty() ? facts(context.roots) : scene_facts(words->scene, context));
     if (words->json) {
-      context.console.result(all.dump());
+      context.console.result(text_of(all));
       return 0;
     }
     for (const auto& [name, value] : all.items()) {
       context.console.result(
-          fmt::format("{:24} {}", name, value.is_string() ? value.get<std::string>() : value.dump()));
+          fmt::format("{:24} {}", name, value.is_string() ? value.get<std::string>() : text_of(value)));
     }
     return 0;
   };

@@ -15,6 +15,7 @@ bool is_free(const Light& light) {
 }
 
 ParamState with_free_lights(ParamState state, MakeUp who) {
+  for (MaterialParams& material : state.materials) material.params.set_param_locked(-1, true);
   if (who == MakeUp::kUnlocked || std::any_of(state.rig.lights.begin(), state.rig.lights.end(), is_free)) return state;
   for (Light& light : state.rig.lights) {
     for (const ParamSpec& spec : light.params.schema().specs()) {

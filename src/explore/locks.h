@@ -9,8 +9,8 @@ namespace luminist {
 /// Whether the solver may turn anything of a light: it shines and a degree of freedom is unlocked.
 bool is_free(const Light& light);
 
-/// Who makes up for lights that are gone: what is unlocked; or, where that is nothing of any light because nobody has
-/// said what may turn, what the types of the lights leave to the solver.
+/// Who makes up for lights that are gone (no material does, whatever its locks): what is unlocked; or, where that is
+/// nothing of any light because nobody has said what may turn, what the types of the lights leave to the solver.
 enum class MakeUp { kUnlocked, kUnlockedOrByType };
 ParamState with_free_lights(ParamState state, MakeUp who);
 

@@ -52,7 +52,7 @@ OtherStarts::OtherStarts(const ParamState& home, const SampleCells& cells, const
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     bool any = false;
     for (int dof = 0; dof < blocks[b]->schema().dofs(); ++dof) any = any || !blocks[b]->locked(dof);
-    if (!any) continue;
+    if (!any || material_of_block(home_, static_cast<int>(b)) >= 0) continue;  // other lights are looked for
     const bool is_light = b >= 1 && b <= home_.rig.lights.size();
     const std::optional<int> position = blocks[b]->schema().by_role("position");
     if (!is_light || !position || !all_free(*blocks[b], *position)) {

@@ -1,6 +1,8 @@
 #include "project/state_document.h"
 
 #include <algorithm>
+#include <set>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -245,6 +247,18 @@ Result<ParamState> read_state(const Document& document, const LightTypes& types,
   if (const auto fault = find_fault(state.rig)) return wrong("rig/constraints", fault->what);
   keep_constraints(state.rig);
   return state;
+}
+
+std::vector<std::string> missing_materials(const Document& document, const ParamState& state) {
+  constexpr std::string_view kBelow = "materials/";
+  std::set<std::string> missing;
+  for (const auto& [path, value] : document.entries()) {
+    if (value.empty() || !path.starts_with(kBelow)) continue;
+    const std::string name = path.substr(kBelow.size(), path.find('/', kBelow.size()) - kBelow.size());
+    missing.insert(name);
+  }
+  for (const MaterialParams& material : state.materials) missing.erase(material.name);
+  return {missing.begin(), missing.end()};
 }
 
 }  // namespace luminist

@@ -1,5 +1,6 @@
 #pragma once
 // project/state_document.h -- the rig, the parameters of style and materials and all locks as paths of a document.
+#include <string>
 #include <vector>
 
 #include "project/document.h"
@@ -19,5 +20,8 @@ void write_state(const ParamState& state, Document& document);
 /// unknown light type.
 Result<ParamState> read_state(const Document& document, const LightTypes& types, const Style& style,
                               const SceneFrame& frame, std::vector<MaterialParams> materials = {});
+
+/// Names of materials of which the document says something and the state's scene has none.
+std::vector<std::string> missing_materials(const Document& document, const ParamState& state);
 
 }  // namespace luminist

@@ -119,7 +119,7 @@ float emissive_strength(const tinygltf::Material& material) {
   return std::max(static_cast<float>(extension->second.Get("emissiveStrength").GetNumberAsDouble()), 0.0F);
 }
 
-/// The factor of the reflectance at normal incidence; its colour counts as its mean.
+/// The factor of the reflectance at normal incidence, up to that of a perfect mirror; its colour counts as its mean.
 float specular_factor(const tinygltf::Material& material) {
   const auto extension = material.extensions.find("KHR_materials_specular");
   if (extension == material.extensions.end()) return 1.0F;
@@ -131,7 +131,9 @@ float specular_factor(const tinygltf::Material& material) {
   const tinygltf::Value& color = extension->second.Get("specularColorFactor");
   double sum = 0.0;
   for (int c = 0; c < 3; ++c) {
-    sum += std::max(c < static_cast<int>(color.ArrayLen()) ? color.Get(c).GetNumberAsDouble() : 1.0, 0.0);
+    constexpr double kMirror = 25.0;  // of the 0.04 that everything reflects which is no metal
+    const tinygltf::Value value = c < static_cast<int>(color.ArrayLen()) ? color.Get(c) : tinygltf::Value(1.0);
+    sum += value.IsNumber() ? std::clamp(value.GetNumberAsDouble(), 0.0, kMirror) : 1.0;
   }
   return static_cast<float>(factor * sum / 3.0);
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <set>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -22,13 +24,40 @@ int param_of(const ParamSchema& schema, std::string_view role) {
   return *param;
 }
 
-std::string path_name(const std::string& name) {
-  std::string word = name.empty() ? "material" : name.substr(0, 255);
-  for (char& c : word) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (byte < 0x20 || byte == 0x7F || c == '/' || c == '*' || c == '=' || c == ':') c = '-';
+/// Bytes of the UTF-8 sequence that begins a text, or 0 if none does.
+std::size_t utf8_length(std::string_view text) {
+  const auto lead = static_cast<unsigned char>(text.front());
+  const std::size_t length = lead < 0x80                   ? 1
+                             : lead >= 0xC2 && lead < 0xE0 ? 2
+                             : lead >= 0xE0 && lead < 0xF0 ? 3
+                             : lead >= 0xF0 && lead < 0xF5 ? 4
+                                                           : 0;
+  if (length > text.size()) return 0;
+  for (std::size_t i = 1; i < length; ++i) {
+    if ((static_cast<unsigned char>(text[i]) & 0xC0U) != 0x80U) return 0;
   }
-  return word;
+  // Too long for what they say, surrogates, beyond the last character.
+  const auto second = length > 1 ? static_cast<unsigned char>(text[1]) : 0U;
+  const bool wrong = (lead == 0xE0 && second < 0xA0) || (lead == 0xED && second > 0x9F) ||
+                     (lead == 0xF0 && second < 0x90) || (lead == 0xF4 && second > 0x8F);
+  return wrong ? 0 : length;
+}
+
+/// Documents and JSON hold UTF-8; meshes hold whatever their makers' machines wrote.
+std::string path_name(std::string_view name) {
+  constexpr std::size_t kLongest = 255;
+  std::string word;
+  while (!name.empty()) {
+    const std::size_t length = utf8_length(name);
+    const auto byte = static_cast<unsigned char>(name.front());
+    const bool good = length > 0 && byte >= 0x20 && byte != 0x7F &&
+                      std::string_view("/*=:").find(name.front()) == std::string_view::npos;
+    const std::string_view next = good ? name.substr(0, length) : std::string_view("-");
+    if (word.size() + next.size() > kLongest) break;
+    word += next;
+    name.remove_prefix(std::max<std::size_t>(length, 1));
+  }
+  return word.empty() ? "material" : word;
 }
 
 /// The default of a role becomes what the material has.
@@ -96,11 +125,13 @@ Result<std::shared_ptr<const ParamSchema>> load_material_schema(const AssetRoots
 
 std::vector<std::string> material_names(const std::vector<Material>& materials) {
   std::vector<std::string> names;
+  std::set<std::string> taken;
+  std::map<std::string, int> last;  // the number that a name got
   for (const Material& material : materials) {
     const std::string wanted = path_name(material.name);
     std::string name = wanted;
-    for (int number = 2; std::ranges::find(names, name) != names.end(); ++number) {
-      name = fmt::format("{}-{}", wanted, number);
+    for (int& number = last.try_emplace(wanted, 1).first->second; !taken.insert(name).second;) {
+      name = fmt::format("{}-{}", wanted, ++number);
     }
     names.push_back(std::move(name));
   }
@@ -164,7 +195,7 @@ Scene with_materials(Scene scene, const std::vector<MaterialParams>& params) {
     const ParamSchema& schema = block.schema();
     Material& material = scene.materials[i];
     material.roughness = std::clamp(block.scalar(param_of(schema, "roughness")), 0.0F, 1.0F);
-    material.specular = std::max(block.scalar(param_of(schema, "specular")), 0.0F);
+    material.specular = std::clamp(block.scalar(param_of(schema, "specular")), 0.0F, 1.0F / kDielectric);
     bake_tint(scene, material, block.vec3(param_of(schema, "tint")));
   }
   return scene;

@@ -22,8 +22,8 @@ struct MaterialParams {
 /// errors kMissing; kStyle at the manifest's line, or naming the role that is missing.
 Result<std::shared_ptr<const ParamSchema>> load_material_schema(const AssetRoots& roots);
 
-/// Names of a scene's materials, each once and good for a path: "/ * = :" and control characters are "-", one without a
-/// name is "material", and one whose name is taken gets "-2", "-3"... in the order of the scene.
+/// Names of a scene's materials, each once and good for a path: "/ * = :", control characters and what is no UTF-8 are
+/// "-", one without a name is "material", and one whose name is taken gets "-2", "-3"... in the order of the scene.
 std::vector<std::string> material_names(const std::vector<Material>& materials);
 
 /// The parameters of a scene's materials, in its order, locked as the schema says. What a material has outside of a

@@ -24,13 +24,13 @@ bool nothing_counts(const SurfaceBuffer& surface, const Target& target) {
   return true;
 }
 
-/// "lights/key, style": the blocks whose locks leave nothing to turn.
+/// "lights/key, style": the blocks whose locks leave nothing to turn. Materials are not looked for there.
 std::string locked_blocks(const ParamState& state) {
   std::string names;
   const std::vector<const ParamBlock*> blocks = state.blocks();
   const std::vector<std::string> paths = state.block_paths();
   for (std::size_t i = 0; i < blocks.size(); ++i) {
-    if (blocks[i]->schema().dofs() == 0) continue;
+    if (blocks[i]->schema().dofs() == 0 || material_of_block(state, static_cast<int>(i)) >= 0) continue;
     names += (names.empty() ? "" : ", ") + paths[i];
   }
   return names;

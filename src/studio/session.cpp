@@ -55,6 +55,10 @@ Result<std::unique_ptr<Session>> Session::open_project(Device& device, const Ass
   LUM_TRY(Shot shot, read_shot(project.document()));
   LUM_TRY(auto stage, open_stage(device, roots, shot, folder.parent_path(), diagnostics));
   LUM_TRY(ParamState state, read_state(project.document(), stage->types, stage->style, stage->frame, stage->materials));
+  for (const std::string& name : missing_materials(project.document(), state)) {
+    diagnostics.warn("materials/" + name,
+                     "the scene has no material of that name now; the project keeps what it was set to");
+  }
   return std::unique_ptr<Session>(new Session({&device,
                                                roots,
                                                &diagnostics,

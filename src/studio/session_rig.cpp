@@ -204,7 +204,8 @@ Result<void> Session::restyle(const std::string& name) {
   Shot shot = shot_;
   shot.style = name;
   LUM_TRY(auto stage, open_stage(*device_, roots_, shot, folder_, *diagnostics_, stage_->moving));
-  ParamState next{state_.rig, initial_state(stage->types, stage->style, stage->frame).style, state_.materials};
+  ParamState next{state_.rig, initial_state(stage->types, stage->style, stage->frame).style,
+                  carried_materials(state_.materials, *stage)};
   if (base_of(name) == base_of(shot_.style)) keep_values(state_.style, next.style);
   Document document = project_.document();
   document.erase_below("style/");
@@ -226,6 +227,7 @@ Result<void> Session::reload_style() {
   if (!reloaded && reloaded.error().kind == ErrorKind::kUsage) {
     LUM_TRY(stage, open_stage(*device_, roots_, shot_, folder_, *diagnostics_, stage_->moving));
     reloaded = carried_over(state_, stage->style, stage->frame);
+    reloaded->materials = carried_materials(state_.materials, *stage);
   }
   LUM_TRY(ParamState next, std::move(reloaded));
   free_view_.reset();

@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include "project/paint_document.h"
+#include "studio/style_reload.h"
 
 namespace luminist {
 namespace {
@@ -56,6 +57,7 @@ Result<void> ShotView::reframe(const std::string& camera, int width, int height)
   LUM_TRY_VOID(session.commit(label, action.dump(), document));
   session.solved_.reset();
   session.canvas_.reset();
+  session.state_.materials = carried_materials(session.state_.materials, *stage);
   session.stage_ = std::move(stage);
   session.shot_ = std::move(shot);
   return {};

@@ -22,8 +22,8 @@ Result<std::vector<KeyPlace>> keyed_by(const ParamState& state, const std::strin
     keyed.push_back({place.block == 0 ? "" : state.rig.lights[place.block - 1].name, place.param, place.component});
   }
   if (!keyed.empty()) return keyed;
-  return Error{ErrorKind::kUsage, fmt::format("\"{}\" is of the style, which has no keys", pattern), "", pattern,
-               "name a light, as lights/key/color"};
+  return Error{ErrorKind::kUsage, fmt::format("\"{}\" is of the style or the materials, which have no keys", pattern),
+               "", pattern, "name a light, as lights/key/color"};
 }
 
 const std::string& word_of(KeyInterpolation interpolation) {

@@ -1,6 +1,8 @@
 #include "studio/style_reload.h"
 
+#include <map>
 #include <set>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -76,6 +78,17 @@ ParamState carried_over(const ParamState& state, const Style& style, const Scene
   ParamState next{state.rig, ParamBlock(style.schema, frame), state.materials};
   carry_over(state.style, next.style, frame);
   return next;
+}
+
+std::vector<MaterialParams> carried_materials(const std::vector<MaterialParams>& before, const Stage& stage) {
+  std::vector<MaterialParams> now = stage.materials;
+  std::map<std::string_view, const ParamBlock*> known;
+  for (const MaterialParams& material : before) known[material.name] = &material.params;
+  for (MaterialParams& material : now) {
+    if (const auto it = known.find(material.name); it != known.end())
+      carry_over(*it->second, material.params, stage.frame);
+  }
+  return now;
 }
 
 Result<ParamState> reload_style(Stage& stage, const AssetRoots& roots, const ParamState& state) {

@@ -32,6 +32,9 @@ class StyleFiles {
 /// the same type, unless it had the old default; then it gets the new one. cost O(parameters).
 ParamState carried_over(const ParamState& state, const Style& style, const SceneFrame& frame);
 
+/// The same of materials that the stage's scene has by name: its file may have been written again meanwhile.
+std::vector<MaterialParams> carried_materials(const std::vector<MaterialParams>& before, const Stage& stage);
+
 /// Reads the stage's style again and compiles it in place; scene, shadows and paint stay. returns carried_over().
 /// errors kStyle at the author's line, and the stage is as it was: the last good version stays. kUsage for what needs
 /// another stage: a path-traced style, and one that now unwraps meshes or draws lines and did not before, or the

@@ -79,8 +79,8 @@ SceneSurfaces::SceneSurfaces(Scene scene) : scene_(std::move(scene)) {
 }
 
 void SceneSurfaces::turn(std::vector<MaterialTurn> turns) {
-  LUM_CHECK(turns.empty() || turns.size() == scene_.materials.size(), "the turns are of this scene's materials");
   turns_ = std::move(turns);
+  turns_.resize(turns_.empty() ? 0 : scene_.materials.size());
 }
 
 Vec3 SceneSurfaces::color_at(int texture, const Vec2& uv) const {

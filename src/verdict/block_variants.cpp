@@ -14,10 +14,18 @@ bool param_free(const ParamBlock& block, int param) {
   return spec.dofs() > 0;
 }
 
+bool any_free(const ParamBlock& block) {
+  for (int dof = 0; dof < block.schema().dofs(); ++dof) {
+    if (!block.locked(dof)) return true;
+  }
+  return false;
+}
+
 ParamState only_block(const ParamState& state, int block) {
   ParamState alone = state;
-  for (int b = 0; b < static_cast<int>(alone.blocks().size()); ++b) {
-    if (b != block) alone.blocks()[static_cast<std::size_t>(b)]->set_param_locked(-1, true);
+  const std::vector<ParamBlock*> blocks = alone.blocks();
+  for (std::size_t b = 0; b < blocks.size(); ++b) {
+    if (static_cast<int>(b) != block) blocks[b]->set_param_locked(-1, true);
   }
   return alone;
 }
@@ -57,12 +65,13 @@ WishPlaces wish_places(const SampledWish& wish, const SurfaceBuffer& surface) {
 
 std::vector<ParamState> block_variants(const ParamState& state, int block, const WishPlaces& places,
                                        const SceneFrame& frame, int count, Random& random) {
+  std::vector<ParamState> variants;
+  const ParamBlock& now = *state.blocks()[static_cast<std::size_t>(block)];
+  if (!any_free(now)) return variants;  // said first: a scene has hundreds of materials that nobody turns
   const ParamState alone = only_block(state, block);
   const UnitMap map = UnitMap::create(alone.blocks(), frame);
-  std::vector<ParamState> variants;
   if (map.dofs() == 0) return variants;
   const std::vector<double> x = map.to_unit(alone.blocks());
-  const ParamBlock& now = *state.blocks()[static_cast<std::size_t>(block)];
   for (int v = 0; v < count; ++v) {
     std::vector<double> moved = x;
     for (std::size_t k = 0; k < moved.size(); ++k) {

@@ -295,7 +295,8 @@ Result<Reached> QuickSearch::search(std::vector<ParamState> starts, const Sample
   std::vector<ParamState> pool;
   std::vector<int> blocks;
   const ParamState& first = best.state;
-  for (int block = 0; block < static_cast<int>(first.blocks().size()); ++block) {
+  const int count = static_cast<int>(first.blocks().size());
+  for (int block = 0; block < count; ++block) {
     for (ParamState& variant : block_variants(first, block, places, renderer_->frame(), variants, random)) {
       pool.push_back(std::move(variant));
       blocks.push_back(block);

@@ -34,6 +34,24 @@ TEST(MaterialNames, AreGoodForPathsAndEachThereOnce) {
                                                                  "jug-2-2", "jug-3", "Stone wall"}));
 }
 
+TEST(MaterialNames, HoldUtf8WhateverTheFileHolds) {
+  const std::vector<Material> materials{named("B\xF6"
+                                              "den"),
+                                        named("B\xC3\xB6"
+                                              "den"),
+                                        named("\xED\xA0\x80"), named(std::string(254, 'a') + "\xC3\xB6")};
+  EXPECT_EQ(material_names(materials), (std::vector<std::string>{"B-den",
+                                                                 "B\xC3\xB6"
+                                                                 "den",
+                                                                 "---", std::string(254, 'a')}));
+}
+
+TEST(MaterialNames, OfThousandsWithoutOneAreNumbered) {
+  const std::vector<std::string> names = material_names(std::vector<Material>(20000));
+  EXPECT_EQ(names.front(), "material");
+  EXPECT_EQ(names.back(), "material-20000");
+}
+
 TEST_F(MaterialParamsTest, StartAsTheSceneHasThemAndLocked) {
   Material glazed = named("glazed");
   glazed.roughness = 0.3F;

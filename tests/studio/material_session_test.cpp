@@ -1,8 +1,13 @@
 // Materials are turned, locked, undone, kept and scripted as what else a session has.
+#include <algorithm>
+#include <fstream>
+#include <functional>
+
 #include "studio/picture_export.h"
 #include "studio/scene_export.h"
 #include "studio/script.h"
 #include "studio/session_fixture.h"
+#include "studio/shot_view.h"
 
 namespace luminist {
 namespace {
@@ -112,6 +117,49 @@ TEST_F(SessionTest, AScriptTurnsAndFreesMaterials) {
   EXPECT_EQ(tint_of(session_->state(), 0), Vec3(0.5F, 0.6F, 0.7F));
   const ParamBlock& clay = session_->state().materials[0].params;
   EXPECT_FALSE(clay.locked(clay.schema()[*clay.schema().find("roughness")].first_dof));
+}
+
+TEST_F(SessionTest, MaterialsAreFoundByNameInASceneThatWasWrittenAgain) {
+  LUM_EXPECT_OK(session_->set({"materials/board/tint=0.25,0.5,0.75"}));
+  LUM_ASSERT_OK([[maybe_unused]] const int freed, session_->set_locked("materials/board/roughness", false));
+  std::string written = ball_obj();
+  const auto replace = [&](const std::string& from, const std::string& to) {
+    for (std::size_t at = 0; (at = written.find(from, at)) != std::string::npos; at += to.size()) {
+      written.replace(at, from.size(), to);
+    }
+  };
+  replace("usemtl clay", "usemtl enamel");
+  std::ofstream(folder_.file("ball.obj")) << written;
+  std::ofstream(folder_.file("ball.mtl"), std::ios::app) << "newmtl enamel\nKd 0.2 0.3 0.4\n";
+  for (const auto& look : std::vector<std::function<Result<void>()>>{
+           [&] { return session_->restyle("toon"); }, [&] { return session_->view().reframe("", 32, 20); },
+           [&] { return session_->restyle("path"); }}) {
+    LUM_EXPECT_OK(look());
+    LUM_ASSERT_OK([[maybe_unused]] const Image* shown, session_->picture());
+    bool found = false;
+    for (const MaterialParams& material : session_->state().materials) {
+      const Vec3 tint = material.params.vec3(*material.params.schema().find("tint"));
+      EXPECT_EQ(tint, material.name == "board" ? Vec3(0.25F, 0.5F, 0.75F) : Vec3(1.0F)) << material.name;
+      found = found || material.name == "enamel";
+    }
+    EXPECT_TRUE(found);
+  }
+}
+
+TEST_F(SessionTest, AProjectTellsOfMaterialsThatItsSceneHasNoMore) {
+  LUM_EXPECT_OK(session_->set({"materials/clay/tint=0.25,0.5,0.75"}));
+  LUM_EXPECT_OK(session_->save_as(folder_.path() / "kept.lum"));
+  session_.reset();
+  std::string written = ball_obj();
+  for (std::size_t at = 0; (at = written.find("usemtl clay")) != std::string::npos;)
+    written.replace(at, 11, "usemtl board");
+  std::ofstream(folder_.file("ball.obj")) << written;
+  std::ofstream(folder_.file("ball.mtl")) << "newmtl board\nKd 0.5 0.5 0.5\n";
+  session_ = open_project("kept.lum");
+  ASSERT_NE(session_, nullptr);
+  const auto told = std::ranges::find_if(diagnostics_.warnings(),
+                                         [](const auto& warning) { return warning.where == "materials/clay"; });
+  EXPECT_NE(told, diagnostics_.warnings().end());
 }
 
 }  // namespace
