@@ -14,6 +14,7 @@ Result<void> export_scene(const Stage& stage, const Shot& shot, const ParamState
     return Error{ErrorKind::kBadContent, "the scene has other materials than when it was opened", stage.scene_file, "",
                  "open the shot again"};
   }
+  if (!scene.deformers.empty()) pose(scene, shot.seconds());  // written as it stands at the frame that is seen
   return save_scene(with_materials(std::move(scene), state.materials), path);
 }
 
