@@ -16,6 +16,8 @@ MARGIN = 12
 PICTURE = (640, 480)
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 LARGEST_DIFFERENCE = 0.002  # of the pixels: hinting and antialiasing of another version of the font rasterizer
+WHOLE = (0, 0, 1280, 720)
+RIGHT_PANEL = (946, 55, 334, 460)
 
 
 class Fault(Exception):
@@ -118,16 +120,23 @@ class Studio:
         return file
 
 
-def compare(shot, name):
-    """Against a reference picture: glyphs and lines are the same everywhere, so few pixels may differ visibly."""
+def compare(shot, name, part=WHOLE):
+    """A part of a screenshot (left, top, width, height) against a reference picture of it: glyphs and lines are the same
+    everywhere, so few pixels may differ visibly. Where LUMINIST_NEW_REFERENCES is set the part becomes the reference, in
+    few colours; look at it before it is committed."""
+    left, top, width, height = part
+    cut = shot.with_name(f"{shot.stem}.part.png")
+    subprocess.run(["convert", shot, "-crop", f"{width}x{height}+{left}+{top}", "+repage", cut], check=True)
     reference = ROOT / "tests" / "app" / "golden" / f"{name}.png"
+    if os.environ.get("LUMINIST_NEW_REFERENCES"):
+        subprocess.run(["convert", cut, "+dither", "-colors", "255", "-strip", f"PNG8:{reference}"], check=True)
     if not reference.exists():
-        raise Fault(f"no reference {reference}; {shot} is the candidate")
-    words = ["compare", "-metric", "AE", "-fuzz", "4%", reference, shot, "null:"]
+        raise Fault(f"no reference {reference}; {cut} is the candidate")
+    words = ["compare", "-metric", "AE", "-fuzz", "4%", reference, cut, "null:"]
     answer = subprocess.run(words, check=False, capture_output=True, text=True)
     differing = float(answer.stderr.split()[0])
-    if not differing <= LARGEST_DIFFERENCE * 1280 * 720:
-        raise Fault(f"{shot} differs from {reference} in {differing:.0f} pixels")
+    if not differing <= LARGEST_DIFFERENCE * width * height:
+        raise Fault(f"{cut} differs from {reference} in {differing:.0f} of {width * height} pixels")
 
 
 def records(project):

@@ -10,7 +10,7 @@ import subprocess
 import sys
 import time
 
-from window_driver import ROOT, Fault, compare, count, drive, kept_session, labels, place, ready, records, replayed_rig, wait_for
+from window_driver import RIGHT_PANEL, ROOT, Fault, compare, count, drive, kept_session, labels, place, ready, records, replayed_rig, wait_for
 
 SKIPPED = 77
 TAB_LIGHTS = (977, 42)  # of the panels on the right
@@ -49,10 +49,58 @@ def edit_strokes(studio, project):
     studio.key("b")
 
 
+TABS = {"style": 1030, "paint": 1078, "explore": 1134, "history": 1195}
+MENUS = {"file": (23, (5, 22, 250, 140)), "view": (95, (76, 22, 272, 306))}
+KEYS = (300, 138, 680, 444)
+
+
+def park(studio):
+    """The pointer where no control is: over the canvas, beside the picture."""
+    studio.do("mousemove", *place(1.2, 0.02))
+    time.sleep(1.5)
+
+
+def compare_panels(studio):
+    """Before anything is painted all panels are as they always are; so are menus and dialogs."""
+    for name, x in TABS.items():
+        studio.click(x, 42)
+        park(studio)
+        compare(studio.shot(f"tab_{name}"), f"tab_{name}", RIGHT_PANEL)
+    studio.click(*TAB_LIGHTS)
+    for name, (x, part) in MENUS.items():
+        studio.click(x, 12)
+        park(studio)
+        compare(studio.shot(f"menu_{name}"), f"menu_{name}", part)
+        studio.do("key", "Escape")
+        time.sleep(1)
+    studio.key("question")
+    park(studio)
+    compare(studio.shot("keys"), "keys", KEYS)
+    studio.do("key", "Escape")
+    time.sleep(1)
+
+
+HOLDS = (1160, 216)  # the list of what holds of the light that is selected
+
+
+def compare_light(studio, project):
+    """A light that nothing was solved for: its row, what holds of it, its parameters."""
+    studio.key("n")
+    wait_for("a light is added", lambda: count(project, "Add light") == 1)
+    time.sleep(2)
+    park(studio)
+    compare(studio.shot("light_added"), "light_added", RIGHT_PANEL)
+    studio.click(*HOLDS)
+    park(studio)
+    compare(studio.shot("light_holds"), "light_holds", RIGHT_PANEL)
+    studio.do("key", "Escape")
+
+
 def paint_and_accept(studio):
     project = kept_session(studio)
     ready(studio)
     compare(studio.shot("open"), "open")
+    compare_panels(studio)
     strokes = [[(0.38, 0.33), (0.40, 0.50), (0.47, 0.40), (0.45, 0.22), (0.45, 0.60)], [(0.51, 0.70), (0.56, 0.74)],
                [(0.77, 0.73), (0.82, 0.77)]]
     for number, stroke in enumerate(strokes, 1):
@@ -222,6 +270,7 @@ def frames(studio):
     studio.shot("new_key")
     studio.do("click", 1)
     wait_for("a key is recorded", lambda: count(project, "Key ambient") == 1)
+    compare_light(studio, project)
     studio.kill()
 
 

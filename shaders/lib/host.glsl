@@ -16,6 +16,7 @@ layout(std140, binding = LUM_FRAME) uniform LumFrame {
   float pattern_fade;  // 1: patterns give way to their mean tone
   uint strokes;        // 1: lum_strokes holds something
   uint link_words;     // of one row of bits in lum_links
+  uint first;          // sample of the first invocation
 } lum_frame;
 
 // The deep framebuffer. position.w and normal.w hold object and material as bits.

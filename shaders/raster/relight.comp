@@ -4,7 +4,7 @@ void main() {
   uint index = linear_index();
   uint first = index / lum_frame.padded * lum_frame.run;
   uint last = min(first + lum_frame.run, lum_frame.candidates);
-  lum_sample = index % lum_frame.padded;
+  lum_sample = lum_frame.first + index % lum_frame.padded;
   if (lum_sample >= lum_frame.samples || first >= last) return;
 
   Surface surface = lum_surface(lum_frame.indexed != 0u ? lum_entries[lum_sample] : lum_sample);

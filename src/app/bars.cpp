@@ -9,6 +9,7 @@
 #include "app/panels.h"
 #include "app/questions.h"
 #include "app/shots_panel.h"
+#include "app/style_panel.h"
 
 namespace luminist {
 namespace {
@@ -60,6 +61,10 @@ void view_menu(Desk& desk) {
   if (ImGui::MenuItem("Frames and keys", nullptr, shots_shown(desk))) desk.show_shots = !shots_shown(desk);
   item(desk, "The shot from anywhere", Deed::kOrbit);
   item(desk, "Handles of barn and cutoffs", Deed::kHandles);
+  if (ImGui::BeginMenu("Look through", desk.has_shot() && !desk.now->facts->cameras.empty())) {
+    camera_choices(desk);
+    ImGui::EndMenu();
+  }
   ImGui::Separator();
   item(desk, "Drag a highlight", Deed::kDragHighlight, desk.has_shot());
   item(desk, "Drag a shadow's edge", Deed::kDragShadow, desk.has_shot());

@@ -22,10 +22,20 @@ void GoalPicker::begin_goal(Desk& desk, const Vec2& to) {
   drag.from = in_heights(desk, *from_);
   drag.to = in_heights(desk, to);
   if (desk.now->shown->rig.find(desk.selected) != nullptr) drag.light = desk.selected;
-  desk.studio->act("find what was dragged", [drag, studio = desk.studio](Session& session) -> Result<void> {
-    LUM_TRY(const std::string light, start_drag(session, drag, {}));
+  desk.studio->post("find what was dragged", [drag, studio = desk.studio](Workbench& bench) -> Result<void> {
+    if (!bench.has_session()) return {};
+    std::string light;
+    LUM_TRY_VOID(bench.act([&](Session& session) -> Result<void> {
+      LUM_TRY(light, start_drag(session, drag, {}));
+      return {};
+    }));
     const char* what = drag.what == Drag::What::kShadow ? "the shadow of " : "the highlight of ";
     studio->tell({StudioMessage::Kind::kNote, "solving for " + (what + light) + "; Enter accepts", "", ""});
+    bench.after_solve([drag, studio, light](Session& session) -> Result<void> {
+      LUM_TRY(std::string words, drag_words(session, drag, light));
+      if (!words.empty()) studio->tell({StudioMessage::Kind::kWarning, std::move(words), "", ""});
+      return {};
+    });
     return {};
   });
 }

@@ -12,6 +12,7 @@ struct HandEvent {
   int mods = 0;         ///< GLFW's
   float scroll = 0.0F;  ///< notches, away from the hand
   float pressure = 1.0F;
+  double time = 0.0;  ///< seconds of the window's clock
 };
 
 }  // namespace luminist

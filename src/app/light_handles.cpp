@@ -11,6 +11,11 @@ ImVec2 im(const Vec2& v) {
   return {v.x, v.y};
 }
 
+/// It has a place to be turned from; the sun's direction is its place on the rim.
+bool shines_at(const LightPose& pose) {
+  return pose.direction && !pose.around;
+}
+
 void knob(ImDrawList& list, const Vec2& at, float radius, ImU32 color, bool filled) {
   list.AddCircle(im(at), radius + 1.0F, IM_COL32(0, 0, 0, 180), 24, 3.0F);
   if (filled) {
@@ -39,7 +44,7 @@ void LightHandles::look(const Desk& desk) {
   if (std::find(waiting.begin(), waiting.end(), light_) != waiting.end()) return;
   const Light* light = desk.now->shown->rig.find(light_);
   if (light == nullptr) return;
-  pose_ = pose_of(*light);
+  pose_ = pose_of(*light, desk.now->facts->frame);
   shape_ = shape_of(*light);
   if (pose_) aim_ = aim_point(desk.now->facts->surface, *pose_);
 }
@@ -64,7 +69,7 @@ LightHandles::Part LightHandles::part_at(const Desk& desk, const Vec2& screen) c
   const float reach = desk.theme.px(10.0F);
   const auto near = [&](const std::optional<Vec2>& handle) { return handle && glm::length(*handle - screen) < reach; };
   if (near(on_screen(desk, pose_->position))) return Part::kPlace;
-  if (aim_ && pose_->direction && near(on_screen(desk, *aim_))) return Part::kAim;
+  if (aim_ && shines_at(*pose_) && near(on_screen(desk, *aim_))) return Part::kAim;
   if (aim_ && glm::length(ball_center(desk) - screen) < ball_radius(desk) + desk.theme.px(4.0F)) return Part::kBall;
   return shape_at(desk, screen) ? Part::kShape : Part::kNone;
 }
@@ -164,6 +169,7 @@ void LightHandles::release(Desk& desk) {
 bool LightHandles::scroll(Desk& desk, const Vec2& screen, float notches) {
   look(desk);
   if (part_at(desk, screen) != Part::kBall) return false;
+  if (pose_->around) return true;  // it is infinitely far away
   const float factor = std::pow(1.08F, -notches);
   pose_ = moved_to(*pose_, *aim_ + factor * (pose_->position - *aim_), aim_);
   record(desk);
@@ -190,7 +196,13 @@ void LightHandles::draw(Desk& desk) {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const auto place = on_screen(desk, pose_->position);
   std::optional<Vec2> aim;
-  if (aim_ && pose_->direction) aim = on_screen(desk, *aim_);
+  if (aim_ && shines_at(*pose_)) aim = on_screen(desk, *aim_);
+  if (pose_->around) {
+    for (const auto& ray : rim_rays(*pose_)) {
+      draw_path(
+          list, [&](const Vec3& at) { return on_screen(desk, at); }, ray, IM_COL32(224, 164, 88, 140), 1.0F);
+    }
+  }
   if (place && aim) list.AddLine(im(*place), im(*aim), IM_COL32(224, 164, 88, 140), 1.0F);
   if (place) knob(list, *place, desk.theme.px(6.0F), paint_colors::kAccent, true);
   if (aim) {

@@ -10,11 +10,11 @@
 namespace luminist {
 
 /// On the picture: a ring at what the light shines at, to be dragged over the surfaces; a disc where the light is, if
-/// it is in sight. In the corner: a ball around the aim, seen by the camera, on which a dot says where the light comes
-/// from; the dot is dragged around, also for a light outside of the picture, and the wheel over the ball moves the
-/// light nearer and farther. While Desk::shape_handles is set: the edge of the light with a square on each of its four
-/// sides, and squares on its axis for the near and the far cutoff. Shift: a tenth of the way. Shown at once, one
-/// command when the hand lets go.
+/// it is in sight; for the sun, which has only a direction, a disc at the rim of the scene. In the corner: a ball
+/// around the aim, seen by the camera, on which a dot says where the light comes from; the dot is dragged around, also
+/// for a light outside of the picture, and the wheel over the ball moves the light nearer and farther. While
+/// Desk::shape_handles is set: the edge of the light with a square on each of its four sides, and squares on its axis
+/// for the near and the far cutoff. Shift: a tenth of the way. Shown at once, one command when the hand lets go.
 class LightHandles {
  public:
   /// returns whether the hand took a handle.

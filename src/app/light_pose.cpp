@@ -21,12 +21,19 @@ Vec3 in_camera(const Camera& camera, const Vec3& way) {
 
 }  // namespace
 
-std::optional<LightPose> pose_of(const Light& light) {
+std::optional<LightPose> pose_of(const Light& light, const SceneFrame& scene) {
   const ParamSchema& schema = light.params.schema();
   const auto position = schema.by_role("position");
-  if (!position) return std::nullopt;
-  LightPose pose{light.params.vec3(*position), std::nullopt};
-  if (const auto direction = schema.by_role("direction")) pose.direction = light.params.vec3(*direction);
+  const auto direction = schema.by_role("direction");
+  if (!position && !direction) return std::nullopt;
+  LightPose pose;
+  if (direction) pose.direction = light.params.vec3(*direction);
+  if (position) {
+    pose.position = light.params.vec3(*position);
+  } else {
+    pose.around = scene.center;
+    pose.position = scene.center - scene.radius * unit_direction(*pose.direction).value_or(Vec3(0.0F, -1.0F, 0.0F));
+  }
   return pose;
 }
 
@@ -40,6 +47,7 @@ std::vector<std::string> pose_assignments(const Light& light, const LightPose& p
 }
 
 std::optional<Vec3> aim_point(const SurfaceBuffer& surface, const LightPose& pose) {
+  if (pose.around) return pose.around;
   float best = pose.direction ? 0.0F : -std::numeric_limits<float>::infinity();
   std::optional<Vec3> point;
   for (std::size_t i = 0; i < surface.pixels(); ++i) {
@@ -63,7 +71,9 @@ LightPose aimed_at(const LightPose& pose, const Vec3& point) {
 LightPose moved_to(const LightPose& pose, const Vec3& position, const std::optional<Vec3>& aim) {
   LightPose result = pose;
   result.position = position;
-  return aim ? aimed_at(result, *aim) : result;
+  if (aim) result = aimed_at(result, *aim);
+  if (pose.around) result.position = *pose.around - glm::length(pose.position - *pose.around) * *result.direction;
+  return result;
 }
 
 Vec3 seen_from(const Camera& camera, const Vec3& aim, const Vec3& position) {
@@ -73,6 +83,22 @@ Vec3 seen_from(const Camera& camera, const Vec3& aim, const Vec3& position) {
 
 Vec3 place_at(const Camera& camera, const Vec3& aim, const Vec3& position, const Vec3& way) {
   return aim + glm::length(position - aim) * (Mat3(camera.world_from_camera) * way);
+}
+
+std::array<std::array<Vec3, 2>, 5> rim_rays(const LightPose& pose) {
+  const Vec3 way = pose.around.value_or(pose.position) - pose.position;
+  const float radius = std::max(glm::length(way), 1e-6F);
+  Vec3 right;
+  Vec3 up;
+  tangent_frame(way / radius, right, up);
+  std::array<std::array<Vec3, 2>, 5> rays;
+  const float apart = 0.1F * radius;
+  const std::array<Vec3, 5> offsets{Vec3(0.0F), apart * right, -apart * right, apart * up, -apart * up};
+  for (std::size_t i = 0; i < rays.size(); ++i) {
+    const Vec3 from = pose.position + offsets[i];
+    rays[i] = {from, from + 0.35F * way};
+  }
+  return rays;
 }
 
 std::optional<Vec2> project(const Camera& camera, const Vec3& point, int width, int height) {

@@ -347,6 +347,7 @@ void LightsPanel::details(Desk& desk, const Light& light, ParamWidgets& widgets)
                           : "Choose the objects by clicks on the picture.")) {
     linking ? desk.linking.clear() : begin_linking(desk, light);
   }
+  constraint_list(desk, light);
   widgets.draw(desk, light.params, "lights/" + light.name);
 }
 

@@ -33,6 +33,8 @@ class LightsPanel {
 void link_choices(Desk& desk, const Light& light);
 /// The group of a light: none, one that is there, a new one. In a menu or a list that is open.
 void group_choices(Desk& desk, const Light& light);
+/// What holds of a light whoever moves it: a row with a list to be ticked, by studio/constraint_words.h.
+void constraint_list(Desk& desk, const Light& light);
 /// Removal with or without the others making up for it. In a menu that is open.
 void removal_choices(Desk& desk, const Light& light);
 /// Begins to take objects by clicks on the picture.

@@ -76,6 +76,7 @@ void OrbitPanel::draw_camera(const ScreenRect& rect) const {
 void OrbitPanel::draw_selected(const Desk& desk, const ScreenRect& rect) const {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const auto to_screen = [&](const Vec3& place) { return on_screen(rect, place); };
+  if (pose_->around) return;
   // A plumb line says how high it hangs, and over what.
   const Vec3 down(0.0F, -1.0F, 0.0F);
   const auto below = lit_.solid() ? first_hit(*lit_.solid(), pose_->position, down) : std::nullopt;
@@ -102,7 +103,7 @@ void OrbitPanel::draw_selected(const Desk& desk, const ScreenRect& rect) const {
 
 void OrbitPanel::draw_light(const Desk& desk, const ScreenRect& rect, const Light& light) const {
   const bool selected = light.name == desk.selected && light.name == light_ && pose_;
-  const auto pose = selected ? pose_ : pose_of(light);
+  const auto pose = selected ? pose_ : pose_of(light, facts_->frame);
   const auto at = pose ? on_screen(rect, pose->position) : std::nullopt;
   if (!pose) return;
   ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -120,6 +121,12 @@ void OrbitPanel::draw_light(const Desk& desk, const ScreenRect& rect, const Ligh
     if (on && before) list.AddLine(im(*before), im(*on), faint(color, 0x90U), 1.0F);
     if (at && on && i % 6 == 0 && i + 1 < ring.size()) list.AddLine(im(*at), im(*on), faint(color, 0x50U), 1.0F);
     before = on;
+  }
+  if (pose->around) {
+    for (const auto& ray : rim_rays(*pose)) {
+      draw_path(
+          list, [&](const Vec3& place) { return on_screen(rect, place); }, ray, faint(color, 0xB0U), 1.5F);
+    }
   }
   if (selected) draw_selected(desk, rect);
   if (!at) return;
@@ -164,9 +171,9 @@ void OrbitPanel::draw_words(Desk& desk, const ScreenRect& rect) {
   const char* words =
       "Drag: turn.  Shift+drag: move.  Wheel: nearer.  Lights, aims and squares can be dragged (Shift: finely).";
   const float width = std::min(ImGui::CalcTextSize(words).x, rect.size().x - 2.0F * pad);
-  const ImVec2 size = ImGui::CalcTextSize(words, nullptr, false, width);
-  list.AddText(theme.small, theme.small->FontSize, {rect.lo.x + pad, rect.hi.y - size.y - pad}, paint_colors::kDim,
-               words, nullptr, width);
+  // Below the buttons: the foot of the view is the tour's.
+  list.AddText(theme.small, theme.small->FontSize, {rect.lo.x + pad, rect.lo.y + pad + ImGui::GetFrameHeight()},
+               paint_colors::kDim, words, nullptr, width);
 }
 
 }  // namespace luminist

@@ -74,7 +74,7 @@ void OrbitPanel::look(const Desk& desk) {
   seen_ = desk.now->shown;
   light_ = desk.selected;
   const Light* light = desk.now->shown->rig.find(light_);
-  const auto pose = light != nullptr ? pose_of(*light) : std::nullopt;
+  const auto pose = light != nullptr ? pose_of(*light, facts_->frame) : std::nullopt;
   const bool moved = !pose || !pose_ || pose->position != pose_->position || pose->direction != pose_->direction;
   pose_ = pose;
   shape_ = light != nullptr ? shape_of(*light) : LightShape{};
@@ -99,14 +99,15 @@ bool OrbitPanel::take_handle(Desk& desk, const ScreenRect& rect, const Vec2& scr
   const auto to_screen = [&](const Vec3& place) { return on_screen(rect, place); };
   taken_.reset();
   if (pose_ && light_ == desk.selected && !near(on_screen(rect, pose_->position), 10.0F)) {
-    if (aim_ && pose_->direction && near(on_screen(rect, *aim_), 10.0F)) return grip_ = Grip::kAim, true;
+    const bool aims = aim_ && pose_->direction && !pose_->around;
+    if (aims && near(on_screen(rect, *aim_), 10.0F)) return grip_ = Grip::kAim, true;
     if (desk.shape_handles)
       taken_ = shape_handle_at(desk.theme, to_screen, shape_handles(*pose_, shape_, reach()), screen);
     if (taken_) return grip_ = Grip::kShape, true;
   }
   for (const Light& light : desk.now->shown->rig.lights) {
     const bool held = light.name == light_ && pose_;
-    const auto pose = held ? pose_ : pose_of(light);
+    const auto pose = held ? pose_ : pose_of(light, facts_->frame);
     if (!pose || !near(on_screen(rect, pose->position), 12.0F)) continue;
     desk.selected = light.name;
     look(desk);

@@ -1,5 +1,6 @@
 // One rig for several frames, in the panel of shots.
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -26,16 +27,30 @@ std::pair<std::string, std::string> verdict_words(const Verdict& verdict) {
   return {words, all};
 }
 
+/// Shows the lights that a solve has found so far, a few times a second.
+Shots::Look look_of(StudioThread* studio, Session& session) {
+  using Clock = std::chrono::steady_clock;
+  static constexpr std::chrono::milliseconds kBetween{250};
+  return [studio, &session, shown = Clock::now()](const ParamState& lights) mutable -> Result<void> {
+    if (Clock::now() - shown < kBetween) return {};
+    LUM_TRY(Image picture, session.stage().renderer->render(lights));
+    studio->show(std::make_shared<const Image>(std::move(picture)), std::make_shared<const ParamState>(lights));
+    shown = Clock::now();
+    return {};
+  };
+}
+
 void solve(Desk& desk, const std::vector<FrameChoice>& choices, bool judge) {
   StudioThread* studio = desk.studio;
   studio->act("solve frames together", [studio, choices, judge](Session& session) -> Result<void> {
     if (session.has_proposal()) LUM_TRY_VOID(session.adopt());
-    return Shots(session).solve(choices, {}, judge, [studio, count = choices.size()](const SolveReport& report) {
+    const auto watch = [studio, count = choices.size()](const SolveReport& report) {
       const bool solving = report.termination == Termination::kRunning;
       return studio->progress(solving ? fmt::format("{} frames together: error {:.4f}, was {:.4f}; Esc stops", count,
                                                     report.epsilon, report.epsilon_start)
                                       : "judging the strokes of each frame; Esc stops");
-    });
+    };
+    return Shots(session).solve(choices, {}, judge, watch, look_of(studio, session));
   });
 }
 

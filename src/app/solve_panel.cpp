@@ -157,9 +157,13 @@ void verdict_panel(Desk& desk) {
   const StudioSnapshot& now = *desk.now;
   if (!now.proposal) return ImGui::TextWrapped("Paint and solve; then every stroke can be judged.");
   if (ImGui::Button("Judge the strokes", {-1.0F, 0.0F})) {
-    desk.studio->post("judge the strokes", [](Workbench& bench) { return bench.judge(); });
+    desk.studio->post("judge the strokes; Esc stops", [studio = desk.studio](Workbench& bench) {
+      return bench.judge([studio] { return studio->undisturbed(); });
+    });
   }
-  tip(desk.theme, "Says of every stroke whether the lights make it, why not, and what would help. Takes seconds.");
+  tip(desk.theme,
+      "Says of every stroke whether the lights make it, why not, and what would help. Takes seconds; Esc, or whatever "
+      "you do next, takes it away.");
   if (!now.verdict) return;
   ImGui::Spacing();
   for (const StrokeVerdict& stroke : now.verdict->strokes) stroke_verdict(desk, stroke);

@@ -2,6 +2,7 @@
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
+#include <malloc.h>
 
 #include <algorithm>
 #include <atomic>
@@ -10,6 +11,7 @@
 #include <imgui_internal.h>  // which popup is open
 
 #include "app/canvas_panel.h"
+#include "app/ink_clock.h"
 #include "app/kept_sessions.h"
 #include "app/layout.h"
 #include "app/questions.h"
@@ -85,6 +87,7 @@ class StudioApp {
     layout_.draw(desk_, canvas_, hand);
     questions_.draw(desk_);
     window_->end_frame();
+    ink_clock_.note(hand, desk_.hand_down, Window::seconds());
     title();
   }
 
@@ -141,9 +144,19 @@ class StudioApp {
   Layout layout_;
   CanvasPanel canvas_;
   Questions questions_;
+  InkClock ink_clock_;
   fs::path nothing_done_;
   fs::path remembered_;
 };
+
+/// Pictures are large and come and go in any order. Mapped each by itself they leave no holes between what stays; left
+/// to itself the C library would take them from its heaps after the first was freed.
+void keep_pictures_apart() {
+#ifdef __GLIBC__
+  constexpr int kLarge = 1 << 20;  // bytes
+  ::mallopt(M_MMAP_THRESHOLD, kLarge);
+#endif
+}
 
 }  // namespace
 
@@ -152,6 +165,7 @@ Result<int> run_studio(const StudioRequest& request) {
     return Error{ErrorKind::kGl, "there is no display to open the window on", "", "DISPLAY",
                  "start it in a desktop session, or see luminist --help for what works without a window"};
   }
+  keep_pictures_apart();
   LUM_TRY(const std::unique_ptr<Window> window, Window::create("Luminist", 1280, 720));
   fs::path nothing_done;
   {

@@ -54,6 +54,17 @@ void dim_text(const std::string& text) {
 
 }  // namespace
 
+void camera_choices(Desk& desk) {
+  const ShotFacts& facts = *desk.now->facts;
+  const std::string now =
+      facts.shot.camera.empty() && !facts.cameras.empty() ? facts.cameras.front() : facts.shot.camera;
+  say_what_goes(desk);
+  for (const std::string& camera : facts.cameras) {
+    if (ImGui::Selectable(camera.c_str(), camera == now)) reframe(desk, camera, facts.shot.width, facts.shot.height);
+    tip(desk.theme, "Look through this camera.");
+  }
+}
+
 const std::vector<Style>& StylePanel::overlays(const Desk& desk) {
   if (!std::exchange(read_, true)) {
     for (const std::string& name : style_names(desk.roots)) {
@@ -74,11 +85,7 @@ void StylePanel::shot_rows(Desk& desk) {
   const std::string first = facts.cameras.empty() ? "" : facts.cameras.front();
   const std::string now = shot.camera.empty() ? first : shot.camera;
   if (ImGui::BeginCombo("##camera", now.c_str())) {
-    say_what_goes(desk);
-    for (const std::string& camera : facts.cameras) {
-      if (ImGui::Selectable(camera.c_str(), camera == now)) reframe(desk, camera, shot.width, shot.height);
-      tip(desk.theme, "Look through this camera.");
-    }
+    camera_choices(desk);
     ImGui::EndCombo();
   }
   row_label(desk.theme, "Size", "Pixels of the picture, width by height. Large ones make lights follow more slowly.");

@@ -11,6 +11,9 @@
 
 namespace luminist {
 
+/// The cameras of the scene, to look through. In a menu or a list that is open.
+void camera_choices(Desk& desk);
+
 class StylePanel {
  public:
   void draw(Desk& desk, ParamWidgets& widgets);

@@ -86,6 +86,7 @@ void Window::add(HandEvent event) {
   event.at = pointer_;
   event.mods = mods();
   event.pressure = pen_.pressure();
+  event.time = seconds();
   hand_.push_back(event);
   any_event_ = true;
 }
@@ -96,8 +97,8 @@ void Window::install_callbacks() {
     of(handle).pointer_ = Vec2(x, y);
     of(handle).add({HandEvent::Kind::kMove, {}, 0, 0, 0.0F, 1.0F});
   });
-  glfwSetMouseButtonCallback(handle_, [](GLFWwindow* handle, int button, int action, int mods) {
-    of(handle).buttons_.push_back({button, action, mods});
+  glfwSetMouseButtonCallback(handle_, [](GLFWwindow* handle, int button, int action, int) {
+    of(handle).buttons_.push_back({button, action});
     const auto kind = action == GLFW_PRESS ? HandEvent::Kind::kPress : HandEvent::Kind::kRelease;
     of(handle).add({kind, {}, button, 0, 0.0F, 1.0F});
   });
@@ -153,14 +154,22 @@ void Window::set_title(const std::string& title) {
 }
 
 /// A press counts for what was hovered in a frame before it, so one that came together with a move waits for the next.
+/// ImGui looks at buttons once a frame: of one that went down and up since, or twice, each change has a frame.
 void Window::pass_on_buttons() {
   const bool moved = std::exchange(framed_, pointer_) != pointer_;
   if (buttons_.empty()) return;
   any_event_ = true;
   if (moved) return;
-  for (const Button& button : std::exchange(buttons_, {})) {
-    ImGui_ImplGlfw_MouseButtonCallback(handle_, button.button, button.action, button.mods);
+  std::vector<int> turned;
+  std::size_t next = 0;
+  for (; next < buttons_.size(); ++next) {
+    const Button& change = buttons_[next];
+    if (std::find(turned.begin(), turned.end(), change.button) != turned.end()) break;
+    turned.push_back(change.button);
+    const auto index = static_cast<std::size_t>(change.button);
+    if (index < down_.size()) down_[index] = change.action == GLFW_PRESS;
   }
+  buttons_.erase(buttons_.begin(), buttons_.begin() + static_cast<std::ptrdiff_t>(next));
 }
 
 /// ImGui looks at keys once a frame: one that was pressed and let go since is told in two.
@@ -182,6 +191,7 @@ void Window::begin_frame() {
   pass_on_keys();
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
+  std::copy(down_.begin(), down_.end(), ImGui::GetIO().MouseDown);  // not as they are by now
   ImGui::NewFrame();
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 // app/window.h -- a window with a context of its own for what is drawn on it, and every event of the hand.
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -61,9 +62,9 @@ class Window {
   struct Button {
     int button = 0;
     int action = 0;
-    int mods = 0;
   };
   std::vector<Button> buttons_;  ///< not told to ImGui yet
+  std::array<bool, 5> down_{};   ///< buttons, as ImGui was told
   struct KeyChange {
     int key = 0;
     int code = 0;

@@ -32,6 +32,7 @@ class RasterRenderer::Impl {
   Result<void> evaluate(std::span<const Candidate> candidates, const SampleSet& samples, const Softness& softness,
                         std::span<Vec3> out);
 
+  void ask(std::function<bool()> go_on) { go_on_ = std::move(go_on); }
   [[nodiscard]] const SurfaceBuffer& surface() const { return ruled_ ? ruled_->surface : deep_->surface(); }
   [[nodiscard]] const SceneFrame& frame() const { return frame_; }
   [[nodiscard]] const Style& style() const { return style_; }
@@ -91,6 +92,7 @@ class RasterRenderer::Impl {
   std::vector<std::byte> picture_key_;  ///< of what picture_ shows, with shadows; empty if that is unknown
   GlBuffer bad_;                        ///< uint, pixels that were not finite
   WorkCount work_;
+  std::function<bool()> go_on_;  ///< empty: pictures are made in one go
 };
 
 }  // namespace luminist

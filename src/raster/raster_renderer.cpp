@@ -36,6 +36,7 @@ Result<void> RasterRenderer::Impl::run(const ParamState& state, const Layer& lay
   job.visibility = shadows && !lit.empty() ? &maps_->visibility() : nullptr;
   job.layer = below;
   job.colors = &colors;
+  job.go_on = go_on_ ? &go_on_ : nullptr;
   LUM_TRY_VOID(relight_->run(job));
   const double shades = static_cast<double>(deep_->pixel_count()) * static_cast<double>(layer.lights.size());
   work_.shades += shades;
@@ -212,6 +213,10 @@ Result<void> RasterRenderer::look_from(const Scene& scene, const Camera& camera,
 
 Result<void> RasterRenderer::change_style(const Style& style, const AssetRoots& roots) {
   return impl_->change_style(style, roots);
+}
+
+void RasterRenderer::ask(std::function<bool()> go_on) {
+  impl_->ask(std::move(go_on));
 }
 
 // clang-format off

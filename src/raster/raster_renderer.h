@@ -1,5 +1,6 @@
 #pragma once
 // raster/raster_renderer.h -- the engine on a graphics device: deep framebuffer, shadow maps, relighting (paper, 6.1).
+#include <functional>
 #include <memory>
 
 #include "base/files.h"
@@ -29,6 +30,9 @@ class RasterRenderer final : public Renderer {
   /// the scene stays. errors those of create(), and kUsage for a style that needs the scene prepared otherwise
   /// (strokes, lines): nothing has changed then. cost compiling the style.
   Result<void> change_style(const Style& style, const AssetRoots& roots);
+
+  /// Until it is given an empty one, pictures are made in parts, and end with kCancelled as soon as go_on says false.
+  void ask(std::function<bool()> go_on);
 
   [[nodiscard]] const SurfaceBuffer& surface() const override;
   [[nodiscard]] SceneFrame frame() const override;

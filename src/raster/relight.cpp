@@ -31,7 +31,7 @@ struct FrameBlock {
   float pattern_fade = 0.0F;
   std::uint32_t strokes = 0;
   std::uint32_t link_words = 0;
-  float unused = 0.0F;
+  std::uint32_t first = 0;
 };
 static_assert(sizeof(FrameBlock) == 128, "as std140 lays it out");
 
@@ -71,7 +71,7 @@ Result<Relight> Relight::create(Device& device, const LightTypes& types, const S
   return relight;
 }
 
-Result<void> Relight::upload(const RelightJob& job) {
+void Relight::write_frame(const RelightJob& job, std::size_t first, std::size_t padded) {
   const CandidateTable& table = *job.table;
   const Vec3 eye = job.surface->eye();
   FrameBlock frame;
@@ -81,7 +81,8 @@ Result<void> Relight::upload(const RelightJob& job) {
   frame.threshold = job.softness.threshold;
   frame.pattern_fade = job.from_afar && blurs_ ? 1.0F : 0.0F;
   frame.samples = static_cast<std::uint32_t>(job.samples);
-  frame.padded = static_cast<std::uint32_t>(padded(job.samples));
+  frame.first = static_cast<std::uint32_t>(first);
+  frame.padded = static_cast<std::uint32_t>(padded);
   frame.candidates = static_cast<std::uint32_t>(table.size());
   frame.run = static_cast<std::uint32_t>(run_length(device_->info()));
   frame.indexed = job.entries != nullptr ? 1 : 0;
@@ -89,6 +90,11 @@ Result<void> Relight::upload(const RelightJob& job) {
   frame.link_words = static_cast<std::uint32_t>(table.links().row_words());
   frame.layered = job.layer != nullptr ? 1 : 0;
   frame_.write(0, std::span<const FrameBlock>(&frame, 1));
+}
+
+Result<void> Relight::upload(const RelightJob& job) {
+  const CandidateTable& table = *job.table;
+  write_frame(job, 0, padded(job.samples));
   const auto write = [](GlBuffer& buffer, std::span<const std::byte> bytes) {
     if (!bytes.empty()) buffer.write(0, bytes);
   };
@@ -99,6 +105,20 @@ Result<void> Relight::upload(const RelightJob& job) {
   LUM_TRY_VOID(materials_.assign(*device_, std::span<const MaterialTurn>(table.materials())));
   LUM_TRY_VOID(candidates_.assign(*device_, std::span<const CandidateTable::Row>(table.candidates())));
   return lights_.assign(*device_, std::span<const CandidateTable::Row>(table.lights()));
+}
+
+/// So many samples at a time that whoever waits for something else waits some ten milliseconds on a slow machine.
+Result<void> Relight::run_in_parts(const RelightJob& job) {
+  constexpr std::size_t kPart = 1U << 17;  // a multiple of kGroup
+  for (std::size_t first = 0; first < job.samples; first += kPart) {
+    if (first > 0 && !(*job.go_on)()) {
+      return Error{ErrorKind::kCancelled, "the picture was cancelled", "", "", ""};
+    }
+    const std::size_t part = padded(std::min(kPart, job.samples - first));
+    write_frame(job, first, part);
+    program_.dispatch(*device_, part, kGroup);
+  }
+  return {};
 }
 
 Result<void> Relight::run(const RelightJob& job) {
@@ -128,6 +148,7 @@ Result<void> Relight::run(const RelightJob& job) {
   for (std::size_t i = 0; i < textures_.size(); ++i) textures_[i].bind(static_cast<GLuint>(i));
   (job.layer != nullptr ? *job.layer : nothing_).bind_storage(binding::kLayer);
   program_.use();
+  if (job.go_on != nullptr && job.table->size() == 1) return run_in_parts(job);
   const std::size_t run = run_length(device_->info());
   program_.dispatch(*device_, padded(job.samples) * ((job.table->size() + run - 1) / run), kGroup);
   return {};

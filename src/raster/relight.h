@@ -1,6 +1,7 @@
 #pragma once
 // raster/relight.h -- runs shade() over samples: one candidate for a picture, many for a solver.
 #include <cstdint>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,8 @@ struct RelightJob {
   const GlBuffer* layer = nullptr;       ///< vec4 [sample], added to every candidate; null: nothing
   Softness softness;
   bool from_afar = false;  ///< where the style's metric blurs, dots and strokes give way to their mean
+  /// Asked between the parts of a picture (one candidate); false ends it. Null: it is made in one go.
+  const std::function<bool()>* go_on = nullptr;
 };
 
 /// A buffer that grows when more is written than it holds, and is kept otherwise.
@@ -63,12 +66,14 @@ class Relight {
     return CandidateTable(layout_, *types_, object_names);
   }
 
-  /// Writes job.colors. errors kLimit if memory runs out. cost one dispatch.
+  /// Writes job.colors. errors kLimit if memory runs out, kCancelled by job.go_on. cost one dispatch.
   Result<void> run(const RelightJob& job);
 
  private:
   Relight(Device& device, const LightTypes& types) : device_(&device), types_(&types) {}
   Result<void> upload(const RelightJob& job);
+  Result<void> run_in_parts(const RelightJob& job);
+  void write_frame(const RelightJob& job, std::size_t first, std::size_t padded);
 
   Device* device_;
   const LightTypes* types_;

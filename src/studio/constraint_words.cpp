@@ -160,7 +160,7 @@ class ConstraintReader {
       return {point, vector()};
     }
     if (take("surface")) return surface();
-    for (const char* name : {"floor", "ceiling", "back wall", "front wall", "left wall", "right wall", "middle"}) {
+    for (const char* name : kPlaneNames) {
       if (take(name)) return *side_of(bounds_, surface_->eye, name);
     }
     fail("the name of a plane is wanted", kConstraintForms);
@@ -211,6 +211,23 @@ class ConstraintReader {
 Result<Constraint> parse_constraint(std::string_view words, const LightRig& rig, const SurfaceBuffer& surface,
                                     const Box& bounds) {
   return ConstraintReader(words, rig, surface, bounds).read();
+}
+
+std::string rule_words(const Constraint& constraint, const SurfaceBuffer& surface, const Box& bounds) {
+  const std::string words = to_text(constraint);
+  const std::string rule = words.substr(std::string("lights/").size() + constraint.light.size() + 1);
+  const auto* on = std::get_if<OnPlane>(&constraint.rule);
+  const auto* mirror = std::get_if<MirrorOf>(&constraint.rule);
+  const Plane* plane = on != nullptr ? &on->plane : mirror != nullptr ? &mirror->plane : nullptr;
+  if (plane == nullptr) return rule;
+  const float small = 1e-4F * std::max(glm::length(bounds.hi - bounds.lo), 1e-3F);
+  for (const char* name : kPlaneNames) {
+    const std::optional<Plane> known = side_of(bounds, surface.eye, name);
+    if (!known || glm::length(known->normal - plane->normal) > 1e-4F) continue;
+    if (std::abs(glm::dot(known->point - plane->point, known->normal)) > small) continue;
+    return rule.substr(0, rule.find("plane ")) + name;
+  }
+  return rule;
 }
 
 Result<void> add_constraints(LightRig& rig, const std::vector<std::string>& words, const SurfaceBuffer& surface,

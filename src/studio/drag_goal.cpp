@@ -292,6 +292,11 @@ Result<DragOutcome> highlight_outcome(Session& session, const Drag& drag, const 
     const float distance = glm::length(peak.place - drag.to);
     if (peak.brightness >= 0.5F * most && distance < outcome.distance) outcome = {peak.place, distance};
   }
+  float brightest = 0.0F;
+  for (std::size_t i = 0; i < surface.pixels(); ++i) {
+    if (surface.object[i] == surface.object[to]) brightest = std::max(brightest, brightness(added.rgb(i)));
+  }
+  outcome.reaches = brightest > 0.0F ? brightness(added.rgb(to)) / brightest : 0.0F;
   if (!(most > 0.0F)) {
     return Error{ErrorKind::kNothingToDo, fmt::format("\"{}\" adds nothing there", light), "", "light", ""};
   }

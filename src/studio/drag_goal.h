@@ -48,8 +48,13 @@ Result<std::string> start_drag(Session& session, const Drag& drag, const SolveOp
 struct DragOutcome {
   Vec2 found{0.0F};       ///< picture heights
   float distance = 0.0F;  ///< from drag.to
+  float reaches = 0.0F;   ///< how bright the light is at drag.to, as a share of its brightest spot on that object
 };
 /// Of the lights that the session shows. errors kNothingToDo if it adds nothing there, the renderer's.
 Result<DragOutcome> highlight_outcome(Session& session, const Drag& drag, const std::string& light);
+
+/// What there is to say when the solve of a drag is over: "" for a shadow, and for a highlight that came within 0.03
+/// picture heights; else how far off it ended, and what would help. errors those of highlight_outcome().
+Result<std::string> drag_words(Session& session, const Drag& drag, const std::string& light);
 
 }  // namespace luminist

@@ -27,14 +27,8 @@ Result<void> ScriptRunner::drag(const Action& action) {
     return !cancelled;
   }));
   if (cancelled) return export_stopped();
-  if (drag.what == Drag::What::kHighlight) {
-    constexpr float kNear = 0.03F;  // picture heights
-    LUM_TRY(const DragOutcome outcome, highlight_outcome(*session_, drag, name));
-    if (outcome.distance > kNear) {
-      diagnostics_->warn(action.where(), fmt::format("the highlight of {} came no nearer than {:.3f} picture heights",
-                                                     name, outcome.distance));
-    }
-  }
+  LUM_TRY(std::string words, drag_words(*session_, drag, name));
+  if (!words.empty()) diagnostics_->warn(action.where(), std::move(words));
   if (events_.solved) events_.solved(*session_->solved(), session_->shown());
   return {};
 }

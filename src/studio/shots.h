@@ -1,5 +1,6 @@
 #pragma once
 // studio/shots.h -- a session over its frames: keys anywhere in time, the paint of each frame, one rig for several.
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -39,10 +40,12 @@ class Shots {
   /// proposal, with what became of each frame in Solved::pictures; accepting it answers the paint of all of them. The
   /// style and the locks are the session's. judge: each frame's strokes, unless watch stopped the solve.
   /// errors kUsage: fewer than two frames, one twice, a weight that is not above zero, lights with keys (they differ
-  /// from frame to frame); kNothingToDo: nothing painted in one of them; SharedSolve's.
+  /// from frame to frame); kNothingToDo: nothing painted in one of them; SharedSolve's, look's.
+  /// look: told the lights found so far, as the session's frame has them, whenever they are better; it may render.
   /// cost a stage for each frame besides the session's own where something moves; the solve.
+  using Look = std::function<Result<void>(const ParamState&)>;
   Result<void> solve(std::span<const FrameChoice> frames, const SolveOptions& options, bool judge,
-                     const Session::SolveWatch& watch);
+                     const Session::SolveWatch& watch, const Look& look = {});
 
  private:
   /// Changes keys of what a pattern names, tells how many there were.

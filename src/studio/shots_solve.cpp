@@ -1,6 +1,7 @@
 // One rig for several frames (studio/shots.h).
 #include <algorithm>
 #include <chrono>
+#include <limits>
 #include <utility>
 
 #include <fmt/format.h>
@@ -80,6 +81,12 @@ Result<SolvedFrame> outcome(SharedSolve& solve, std::size_t k, FrameView& view, 
   return done;
 }
 
+/// Which of the frames is looked at; the first one if none is.
+std::size_t place_of(double frame, std::span<const FrameChoice> frames) {
+  const auto found = std::ranges::find(frames, frame, &FrameChoice::frame);
+  return found == frames.end() ? 0 : static_cast<std::size_t>(found - frames.begin());
+}
+
 /// Dark lights begin where the paint of the first frame that takes part says.
 Result<LightRig> starting_rig(const LightRig& rig, const FrameView& view, const SceneFrame& frame) {
   LightRig start = rig;
@@ -93,7 +100,7 @@ Result<LightRig> starting_rig(const LightRig& rig, const FrameView& view, const 
 }  // namespace
 
 Result<void> Shots::solve(std::span<const FrameChoice> frames, const SolveOptions& options, bool judged,
-                          const Session::SolveWatch& watch) {
+                          const Session::SolveWatch& watch, const Look& look) {
   Session& session = *session_;
   LUM_TRY_VOID(check_choices(frames, session.state_.rig, painted()));
   std::vector<FrameView> own;
@@ -115,10 +122,15 @@ Result<void> Shots::solve(std::span<const FrameChoice> frames, const SolveOption
   }
   LUM_TRY(const LightRig rig, starting_rig(session.state_.rig, own.front(), session.stage_->frame));
   LUM_TRY(SharedSolve solve, SharedSolve::create(std::move(views), rig, options));
+  const std::size_t here = place_of(session.shot_.frame, frames);
   bool stopped = false;
+  double shown = std::numeric_limits<double>::infinity();
   for (bool more = true; more && !stopped;) {
     LUM_TRY(more, solve.run_for(std::chrono::milliseconds(50)));
     stopped = more && watch && !watch(solve.report());
+    if (!look || !(solve.report().epsilon < shown)) continue;
+    shown = solve.report().epsilon;
+    LUM_TRY_VOID(look(solve.state(here)));
   }
   if (stopped) solve.stop();
   LUM_TRY(const Target* target, session.target());

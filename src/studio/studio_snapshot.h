@@ -48,6 +48,7 @@ struct ShotFacts {
   std::vector<std::string> styles;       ///< all that can be a picture of their own
   std::vector<std::string> light_types;  ///< that a new light can have
   std::vector<std::string> cameras;      ///< of the scene
+  Box bounds;                            ///< of the scene without backdrops
 };
 
 struct HistoryFacts {

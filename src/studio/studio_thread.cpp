@@ -1,5 +1,8 @@
 #include "studio/studio_thread.h"
 
+#include <malloc.h>
+
+#include <algorithm>
 #include <exception>
 #include <utility>
 
@@ -10,6 +13,14 @@ namespace fs = std::filesystem;
 
 constexpr int kTriesToReopen = 3;
 constexpr std::chrono::milliseconds kBetweenSnapshots{40};  // of what goes on by itself
+constexpr std::chrono::seconds kBetweenTrims{10};
+
+/// Pictures come and go by the dozen; what they leave between what stays goes back to the system. cost milliseconds.
+void give_memory_back() {
+#ifdef __GLIBC__
+  ::malloc_trim(0);
+#endif
+}
 
 StudioMessage message_of(const Error& error) {
   StudioMessage message;
@@ -144,6 +155,24 @@ bool StudioThread::progress(std::string label) {
   return !cancelled_;
 }
 
+bool StudioThread::undisturbed() const {
+  const std::lock_guard lock(mutex_);
+  const bool waited_for = std::ranges::any_of(queue_, [](const Entry& entry) { return !entry.label.empty(); });
+  return !cancelled_ && !waited_for;
+}
+
+void StudioThread::show(std::shared_ptr<const Image> picture, std::shared_ptr<const ParamState> lights) {
+  {
+    const std::lock_guard lock(mutex_);
+    auto next = std::make_shared<StudioSnapshot>(*latest_);
+    next->picture = std::move(picture);
+    next->shown = std::move(lights);
+    next->unanswered = 0;
+    latest_ = std::move(next);
+  }
+  if (options_.on_change) options_.on_change();
+}
+
 std::shared_ptr<const StudioSnapshot> StudioThread::latest() const {
   const std::lock_guard lock(mutex_);
   return latest_;
@@ -176,6 +205,7 @@ bool StudioThread::open_device() {
   }
   device_ = std::make_unique<Device>(std::move(*device));
   bench_ = std::make_unique<Workbench>(*device_, options_.roots, options_.unsaved);
+  bench_->give_way_unless([this] { return undisturbed(); });
   frames_ = std::make_unique<FrameStrip>(*device_, options_.roots);
   return true;
 }
@@ -226,6 +256,7 @@ void StudioThread::attend(const Result<void>& result) {
 
 void StudioThread::work(Entry entry) {
   if (options_.on_change && entry.kind == Entry::Kind::kJob) options_.on_change();
+  worked_ = true;
   Result<void> result;
   switch (entry.kind) {
     case Entry::Kind::kJob:
@@ -304,7 +335,13 @@ bool StudioThread::idle() {
   if (!bench_) return false;
   const auto drawn = draw_frame();
   if (!drawn) attend(drawn.error());
-  if (!drawn || !*drawn || !bench_) return false;
+  const bool rests = !drawn || !*drawn;
+  if (rests && worked_ && Clock::now() - trimmed_ > kBetweenTrims) {
+    give_memory_back();
+    worked_ = false;
+    trimmed_ = Clock::now();
+  }
+  if (rests || !bench_) return false;
   publish();
   return true;
 }

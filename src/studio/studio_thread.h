@@ -67,6 +67,10 @@ class StudioThread {
   [[nodiscard]] bool cancelled() const { return cancelled_; }
   /// What the job that runs is at, in place of its label. returns whether to go on.
   bool progress(std::string label);
+  /// Nobody waits and nothing is cancelled: a job that may as well be done later goes on.
+  [[nodiscard]] bool undisturbed() const;
+  /// What the job that runs has found so far: picture and lights of the latest snapshot, until there is another.
+  void show(std::shared_ptr<const Image> picture, std::shared_ptr<const ParamState> lights);
 
   /// Never null.
   [[nodiscard]] std::shared_ptr<const StudioSnapshot> latest() const;
@@ -122,6 +126,8 @@ class StudioThread {
   std::unique_ptr<FrameStrip> frames_;
   int reopened_ = 0;  ///< times in a row without a job that went well
   Clock::time_point published_;
+  Clock::time_point trimmed_;
+  bool worked_ = false;  ///< since memory was given back
   std::thread thread_;
 };
 

@@ -8,10 +8,14 @@
 
 #include <fmt/format.h>
 
+#include "raster/raster_renderer.h"
+
 namespace luminist {
 namespace {
 
 namespace fs = std::filesystem;
+
+constexpr std::size_t kMostKept = 200;  // places of the history whose proposals are known: some kilobytes each
 
 float number_at(const Document& document, std::string_view path, float usual) {
   const std::string_view text = document.get(path);
@@ -59,6 +63,7 @@ Result<void> Workbench::adopt_session(std::unique_ptr<Session> session) {
   style_files_.reset();
   session_ = std::move(session);
   solving_ = resting_ = proposal_put_ = false;
+  after_solve_ = {};
   follow_again_ = session_->painted();  // a proposal is in no log: it is looked for again
   unanswered_ = session_->painted() ? 1 : 0;
   facts_of_ = 0;
@@ -135,6 +140,7 @@ void Workbench::keep_proposal() {
   if (solved != nullptr)
     kept_.emplace(place,
                   KeptProposal{session_->shown(), solved->options, solved->report, solved->label, solved->frames});
+  if (kept_.size() > kMostKept) kept_.erase(kept_.begin());
 }
 
 /// The proposal that was here, or null.
@@ -185,6 +191,7 @@ Result<void> Workbench::act(const Task& task, After after) {
   canvas_.reset();
   resting_ = proposal_put_ = false;
   solving_ = started;
+  after_solve_ = {};
   const bool found = back != nullptr && !back->goes_on();
   follow_again_ = after == After::kFollow && live_ && !solving_ && session_->painted() && !found;
   unanswered_ = session_->painted() && !session_->has_proposal() ? 1 : 0;
@@ -220,14 +227,19 @@ Result<void> Workbench::start_solve(const SolveOptions& options) {
 void Workbench::stop() {
   if (std::exchange(solving_, false) && session_) session_->stop_solve();
   resting_ = follow_again_ = false;
+  after_solve_ = {};
 }
 
-Result<void> Workbench::judge() {
+void Workbench::after_solve(Task task) {
+  if (solving_) after_solve_ = std::move(task);
+}
+
+Result<void> Workbench::judge(const std::function<bool()>& go_on) {
   LUM_TRY_VOID(need_session());
   if (std::exchange(solving_, false)) session_->stop_solve();
   resting_ = follow_again_ = false;  // other lights would need another verdict
   LUM_TRY_VOID(put_proposal());
-  LUM_TRY_VOID(session_->judge());
+  LUM_TRY_VOID(session_->judge(go_on));
   return {};
 }
 
@@ -236,12 +248,29 @@ Result<bool> Workbench::step(std::chrono::milliseconds slice) {
   if (solving_) {
     auto more = session_->continue_solve(slice);
     if (!more || !*more) solving_ = false;
+    const Task after = solving_ ? Task() : std::exchange(after_solve_, {});
+    if (more && after) LUM_TRY_VOID(after(*session_));
     unanswered_ = 0;
     constexpr std::chrono::milliseconds kBetweenPictures{200};  // a picture costs as much as several slices
     const auto now = std::chrono::steady_clock::now();
     if (!solving_ || now - solve_shown_ > kBetweenPictures) picture_.reset(), solve_shown_ = now;
     return more;
   }
+  RasterRenderer* raster = undisturbed_ && !quick_stages_.empty() ? session_->stage().raster : nullptr;
+  if (raster == nullptr) return follow_at_rest();
+  raster->ask(undisturbed_);
+  auto more = follow_at_rest();
+  raster->ask({});
+  if (more || more.error().kind != ErrorKind::kCancelled) return more;
+  LUM_TRY_VOID(put_proposal());
+  live_painting_.reset();
+  resting_ = false;
+  follow_again_ = true;
+  return true;
+}
+
+/// The lights that follow the paint go on while the hand rests. returns whether there is more to gain.
+Result<bool> Workbench::follow_at_rest() {
   if (std::exchange(follow_again_, false) && can_follow()) {
     LUM_TRY_VOID(follow());
     resting_ = true;

@@ -61,7 +61,10 @@ class Workbench : private WorkbenchData {
   void set_live(bool live);
   Result<void> start_solve(const SolveOptions& options);
   void stop();
-  Result<void> judge();
+  /// errors kCancelled as soon as go_on says false: the lights stay the proposal, without a verdict.
+  Result<void> judge(const std::function<bool()>& go_on = {});
+  /// Done once, when the solve that runs has come to its end; not if it is stopped, or anything else is done first.
+  void after_solve(Task task);
 
   // What there is beyond one solve; an offer that is taken becomes the proposal.
   Result<void> offer_alternatives(const ExploreWatch& watch);  ///< other lights for the paint. cost minutes
@@ -76,6 +79,9 @@ class Workbench : private WorkbenchData {
   /// errors at the author's line; what is shown stays.
   Result<bool> refresh_style();
 
+  /// Whether nobody waits: where the processor draws, a picture of lights that follow at rest is given up as soon as
+  /// it says false, and made anew afterwards.
+  void give_way_unless(std::function<bool()> undisturbed) { undisturbed_ = std::move(undisturbed); }
   /// A slice of what goes on by itself. returns false when there is nothing more to do. errors the renderer's.
   Result<bool> step(std::chrono::milliseconds slice);
   /// What there is to show; version counts from here.
@@ -87,6 +93,7 @@ class Workbench : private WorkbenchData {
   Result<void> keep_unsaved();
   [[nodiscard]] Result<void> need_session() const;
   [[nodiscard]] bool can_follow() const;
+  Result<bool> follow_at_rest();
   Result<void> add_offer(std::vector<Offer>& offers, std::string title, const ParamState& lights, SolveReport report);
   [[nodiscard]] StrokeFile file_of(const Stroke& stroke) const;
   Result<void> follow();

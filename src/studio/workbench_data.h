@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -78,6 +79,8 @@ struct WorkbenchData {
   std::shared_ptr<const LayerStack> layers_;  ///< without pixels
   EventCost cost_;
   std::chrono::steady_clock::time_point solve_shown_;
+  std::function<bool()> undisturbed_;                  ///< empty: nobody ever waits
+  std::function<Result<void>(Session&)> after_solve_;  ///< empty: nothing waits for the solve
 };
 
 }  // namespace luminist

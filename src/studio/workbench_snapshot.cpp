@@ -53,7 +53,7 @@ void Workbench::tell_history(StudioSnapshot& next) {
 ShotFacts Workbench::facts() const {
   const Stage& stage = session_->stage();
   ShotFacts facts{session_->shot(),   stage.camera, stage.frame,         stage.renderer->surface(), stage.style.doc,
-                  stage.style.metric, {},           stage.types.names(), stage.camera_names};
+                  stage.style.metric, {},           stage.types.names(), stage.camera_names,        stage.bounds};
   for (const std::string& name : style_names(roots_)) {
     if (const auto style = load_style(roots_, name); style && style->shades()) facts.styles.push_back(name);
   }

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "support/fixtures.h"
+
 namespace luminist {
 namespace {
 
@@ -66,6 +68,23 @@ TEST(LightPose, TheBallPutsALightBackWhereItWas) {
   const Vec3 way = seen_from(camera(), aim, place);
   EXPECT_NEAR(glm::length(way), 1.0F, 1e-6F);
   EXPECT_NEAR(glm::length(place_at(camera(), aim, place, way) - place), 0.0F, 1e-5F);
+}
+
+TEST(LightPose, ALightWithoutAPlaceTurnsAroundTheSceneAtItsRim) {
+  LUM_ASSERT_OK(const LightTypes types, LightTypes::load(AssetRoots::standard()));
+  const SceneFrame scene{Vec3(1.0F, 0.0F, 0.0F), 3.0F};
+  const Light sun = make_light(types, "sun", "sun", scene).value();
+  const auto pose = pose_of(sun, scene);
+  ASSERT_TRUE(pose && pose->direction);
+  EXPECT_NEAR(glm::length(pose->position + 3.0F * *pose->direction - scene.center), 0.0F, 1e-5F);
+  EXPECT_EQ(aim_point(wall(), *pose), scene.center);
+  const LightPose turned = moved_to(*pose, scene.center + Vec3(0.0F, 9.0F, 0.0F), scene.center);
+  EXPECT_NEAR(glm::length(*turned.direction - Vec3(0.0F, -1.0F, 0.0F)), 0.0F, 1e-6F);
+  EXPECT_NEAR(glm::length(turned.position - scene.center - Vec3(0.0F, 3.0F, 0.0F)), 0.0F, 1e-5F);
+  const std::vector<std::string> assigned = pose_assignments(sun, turned);
+  ASSERT_EQ(assigned.size(), 1U) << "it has no place to be put at";
+  EXPECT_TRUE(assigned.front().starts_with("lights/sun/direction=")) << assigned.front();
+  EXPECT_EQ(rim_rays(turned).front().front(), turned.position);
 }
 
 }  // namespace

@@ -51,6 +51,19 @@ TEST_F(ConstraintWordsTest, SidesOfTheSceneHaveNames) {
             "lights/key light mirror of lights/key across plane 0,1,0 1,0,0");
 }
 
+TEST_F(ConstraintWordsTest, APlaneThatHasANameIsCalledByIt) {
+  const Stage& stage = session_->stage();
+  const auto words = [&](const std::string& text) {
+    const auto constraint = parse(text);
+    return constraint ? rule_words(*constraint, stage.renderer->surface(), stage.bounds) : constraint.error().message();
+  };
+  for (const char* name : kPlaneNames)
+    EXPECT_EQ(words(std::string("lights/key on ") + name), std::string("on ") + name);
+  EXPECT_EQ(words("lights/key light mirror of lights/key across middle"), "mirror of lights/key across middle");
+  EXPECT_EQ(words("lights/key on plane 0,1.5,0 0,-1,0"), "on plane 0,1.5,0 0,-1,0") << "half way up there is no side";
+  EXPECT_EQ(words("lights/key on plane 7,2,0 0,-1,0"), "on ceiling") << "any point of the plane will do";
+}
+
 TEST_F(ConstraintWordsTest, APlaneIsPickedFromThePicture) {  // left of the ball there is floor
   LUM_ASSERT_OK(const Constraint constraint, parse("lights/key on surface 0.35,0.52"));
   const Plane& plane = std::get<OnPlane>(constraint.rule).plane;

@@ -73,6 +73,25 @@ TEST_F(DragGoalTest, ADraggedHighlightComesToWhereItWasDragged) {
   EXPECT_EQ(session_->project().undo_steps(), steps + 2);
 }
 
+TEST_F(DragGoalTest, AHighlightThatEndsElsewhereSaysHowFarAndWhatWouldHelp) {
+  Drag drag;
+  drag.from = Vec2(0.506F, 0.410F);
+  drag.to = drag.from;
+  LUM_ASSERT_OK(const DragOutcome now, highlight_outcome(*session_, drag, "key"));
+  drag.to = now.found;
+  LUM_ASSERT_OK(const std::string nothing, drag_words(*session_, drag, "key"));
+  EXPECT_EQ(nothing, "") << "it is there";
+  drag.to = now.found + Vec2(-0.10F, 0.03F);
+  LUM_ASSERT_OK(const std::string words, drag_words(*session_, drag, "key"));
+  EXPECT_TRUE(words.starts_with("the highlight of key ended 0.1")) << words;
+  LUM_EXPECT_OK(session_->constrain({"lights/key on ceiling"}));
+  LUM_ASSERT_OK(const std::string held, drag_words(*session_, drag, "key"));
+  EXPECT_NE(held.find("it stays on ceiling"), std::string::npos) << held;
+  drag.what = Drag::What::kShadow;
+  LUM_ASSERT_OK(const std::string shadow, drag_words(*session_, drag, "key"));
+  EXPECT_EQ(shadow, "");
+}
+
 TEST_F(DragGoalTest, AShadowIsPaintedWhereItShallGrowAndErasedWhereItShallShrink) {
   // A place in the shadow on the table and one in the light there, from pictures with and without shadows.
   LUM_ASSERT_OK(const Image lit, session_->stage().renderer->render(session_->state()));

@@ -153,6 +153,26 @@ TEST_F(ShotsTest, AcceptingARigForSeveralFramesAnswersThePaintOfAllAndUndoBrings
   EXPECT_FALSE(session_->painted());
 }
 
+TEST_F(ShotsTest, ASolveOfSeveralFramesShowsItsLightsAsItGoes) {
+  paint_at(24);
+  paint_at(0);
+  const std::vector<FrameChoice> both = {{24}, {0}};
+  std::vector<ParamState> seen;
+  const auto look = [&](const ParamState& lights) -> Result<void> {
+    seen.push_back(lights);
+    LUM_TRY_VOID(session_->stage().renderer->render(lights));
+    return {};
+  };
+  LUM_EXPECT_OK(shots().solve(both, few_evals(), false, {}, look));
+  ASSERT_FALSE(seen.empty());
+  const auto of = [](const ParamState& lights) { return rig_to_toml(lights.rig); };
+  EXPECT_EQ(of(seen.back()), of(session_->shown())) << "the last ones are those that are proposed";
+  LUM_EXPECT_OK(session_->revert());
+  const auto refuse = [](const ParamState&) -> Result<void> { return Error{ErrorKind::kLimit, "no picture", "", "", ""}; };
+  EXPECT_EQ(error_of(shots().solve(both, few_evals(), false, {}, refuse)).kind, ErrorKind::kLimit);
+  EXPECT_FALSE(session_->has_proposal());
+}
+
 TEST_F(ShotsTest, ASolveOfSeveralFramesThatIsStoppedKeepsTheBestSoFar) {
   paint_at(24);
   paint_at(0);

@@ -144,6 +144,35 @@ TEST_F(WorkbenchTest, ASmallerPictureFollowsTheBrushAndAFullOneComesWhenItRests)
   EXPECT_EQ(look()->picture->width, 400);
 }
 
+TEST_F(WorkbenchTest, APictureAtRestIsGivenUpWhenSomebodyWaits) {
+  Shot large = shot();
+  large.width = 640;  // a picture of several parts
+  large.height = 480;
+  LUM_EXPECT_OK(bench_->open(large, folder_.path()));
+  if (!device_->info().software) GTEST_SKIP() << "elsewhere a picture is quick";
+  LUM_EXPECT_OK(bench_->prepare());
+  add_dark_light();
+  const Stroke whole = light_strokes().strokes.front();
+  LUM_EXPECT_OK(bench_->begin_stroke({whole.brush, {whole.points.front()}}, folder_.path()));
+  LUM_EXPECT_OK(bench_->extend_stroke(std::span(whole.points).subspan(1)));
+  EXPECT_LT(look()->picture->width, 640);
+  LUM_EXPECT_OK(bench_->end_stroke());
+  int asked = 0;
+  bool alone = false;
+  bench_->give_way_unless([&] { return ++asked, alone; });
+  const std::string before = document_hash();
+  LUM_ASSERT_OK(const bool more, bench_->step(milliseconds(5)));
+  EXPECT_TRUE(more) << "it is to be made anew";
+  EXPECT_EQ(asked, 1) << "the first answer was enough";
+  const auto small = look();
+  EXPECT_TRUE(small->proposal) << "what the small pictures found stays";
+  EXPECT_LT(small->picture->width, 640);
+  alone = true;
+  for (int i = 0; i < 5; ++i) LUM_EXPECT_OK(bench_->step(milliseconds(5)));
+  EXPECT_EQ(look()->picture->width, 640);
+  EXPECT_EQ(document_hash(), before);
+}
+
 TEST_F(WorkbenchTest, AnOfferThatIsTakenIsTheProposal) {
   add_dark_light();
   draw_stroke();
@@ -158,6 +187,44 @@ TEST_F(WorkbenchTest, AnOfferThatIsTakenIsTheProposal) {
   const ParamBlock& taken = offers->front().lights.rig.lights.front().params;
   EXPECT_TRUE(look()->shown->rig.lights.front().params.same_values(taken));
   EXPECT_EQ(error_of(bench_->take_offer(99)).kind, ErrorKind::kNothingToDo);
+}
+
+TEST_F(WorkbenchTest, WhatComesAfterASolveComesOnceAndOnlyIfTheSolveIsLeftToItsEnd) {
+  add_dark_light();
+  draw_stroke();
+  rest();
+  int done = 0;
+  const auto count = [&](Session&) -> Result<void> {
+    ++done;
+    return {};
+  };
+  bench_->after_solve(count);
+  rest();
+  EXPECT_EQ(done, 0) << "no solve runs";
+  SolveOptions few = few_evals();
+  LUM_EXPECT_OK(bench_->start_solve(few));
+  bench_->after_solve(count);
+  bench_->stop();
+  rest();
+  EXPECT_EQ(done, 0) << "it was stopped";
+  LUM_EXPECT_OK(bench_->start_solve(few));
+  bench_->after_solve(count);
+  rest();
+  EXPECT_EQ(done, 1);
+  LUM_EXPECT_OK(bench_->start_solve(few));
+  rest();
+  EXPECT_EQ(done, 1);
+}
+
+TEST_F(WorkbenchTest, AVerdictIsTakenAwayWhenSomethingElseIsWanted) {
+  add_dark_light();
+  draw_stroke();
+  rest();
+  EXPECT_EQ(error_of(bench_->judge([] { return false; })).kind, ErrorKind::kCancelled);
+  EXPECT_TRUE(look()->proposal);
+  EXPECT_FALSE(look()->verdict);
+  LUM_EXPECT_OK(bench_->judge());
+  EXPECT_TRUE(look()->verdict);
 }
 
 void ignore(const Result<void>& result) {
