@@ -168,7 +168,9 @@ TEST_F(ShotsTest, ASolveOfSeveralFramesShowsItsLightsAsItGoes) {
   const auto of = [](const ParamState& lights) { return rig_to_toml(lights.rig); };
   EXPECT_EQ(of(seen.back()), of(session_->shown())) << "the last ones are those that are proposed";
   LUM_EXPECT_OK(session_->revert());
-  const auto refuse = [](const ParamState&) -> Result<void> { return Error{ErrorKind::kLimit, "no picture", "", "", ""}; };
+  const auto refuse = [](const ParamState&) -> Result<void> {
+    return Error{ErrorKind::kLimit, "no picture", "", "", ""};
+  };
   EXPECT_EQ(error_of(shots().solve(both, few_evals(), false, {}, refuse)).kind, ErrorKind::kLimit);
   EXPECT_FALSE(session_->has_proposal());
 }
