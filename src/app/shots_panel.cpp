@@ -158,7 +158,9 @@ void ShotsPanel::strip(Desk& desk, const FrameFacts& facts) {
     ImGui::SetCursorScreenPos({x, at.y});
     ImGui::PushID(k);
     if (ImGui::InvisibleButton("frame", {width, height})) desk.studio->go_to(frame);
-    tip(theme, "The shot at this frame under the lights shown. Click to go there.");
+    tip(theme,
+        "The shot at this frame under the lights shown; in a path-traced style quickly made, of few paths. Click to go "
+        "there.");
     ImGui::PopID();
   }
   ImGui::SetCursorScreenPos({at.x + room + theme.px(6.0F), at.y + 0.5F * (height - ImGui::GetFrameHeight())});

@@ -117,11 +117,9 @@ void ShotsPanel::together(Desk& desk, const FrameFacts& facts) {
     if (choice.on) chosen.push_back({painted.frame, static_cast<double>(choice.weight)});
   }
   ImGui::EndChild();
-  const std::string obstacle = !desk.now->shown->rig.keys.empty()
-                                   ? "remove the keys first: they differ from frame to frame"
-                               : desk.now->free_dofs == 0 ? "everything is locked: free what may change"
-                               : chosen.size() < 2        ? "choose two frames at least"
-                                                          : "";
+  const std::string obstacle = desk.now->free_dofs == 0 ? "everything is locked: free what may change"
+                               : chosen.size() < 2      ? "choose two frames at least"
+                                                        : "";
   const bool ready = obstacle.empty();
   if (!ready) ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 0.4F * ImGui::GetStyle().Alpha);
   const std::string label = fmt::format("Solve {} frames together", chosen.size());
@@ -129,7 +127,7 @@ void ShotsPanel::together(Desk& desk, const FrameFacts& facts) {
   if (!ready) ImGui::PopStyleVar();
   tip(theme,
       "Finds one rig for what is painted on the chosen frames: the weighted mean of their errors. Accepting it answers "
-      "the paint of all. Takes a while.");
+      "the paint of all. What has keys stays as they say. Takes a while.");
   if (clicked && ready) solve(desk, chosen, judge_);
   ImGui::SameLine();
   ImGui::Checkbox("judge the strokes", &judge_);

@@ -83,7 +83,9 @@ Result<void> Views::join_styles() {
   style_.lights = LightCombination::kSum;
   for (const View& view : views_) {
     const Style& style = view.renderer->style();
-    if (style.combination(view.style) == LightCombination::kJoint) style_.lights = LightCombination::kJoint;
+    // A colour with keys is another one in each view: no colour of the joint rig scales what its light adds.
+    const bool joint = view.frame || style.combination(view.style) == LightCombination::kJoint;
+    if (joint) style_.lights = LightCombination::kJoint;
     const auto [known, is_new] = first.try_emplace(style.name, static_cast<int>(specs.size()));
     first_param_.push_back(known->second);
     if (!is_new) continue;
@@ -153,6 +155,7 @@ ParamState Views::state_of(const ParamState& joint, int view) const {
   const auto index = static_cast<std::size_t>(view);
   ParamState state{joint.rig, views_[index].style, joint.materials};
   copy_params(joint.style, first_param_[index], state.style, 0, state.style.schema().size());
+  if (views_[index].frame) pose(state.rig, *views_[index].frame);
   return state;
 }
 

@@ -2,6 +2,7 @@
 // render/views.h -- several pictures of one rig as one: in several styles, or from several cameras.
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -18,11 +19,13 @@ struct View {
   ParamBlock style;
   double weight = 1.0;                         ///< > 0, of its error among the others'
   std::vector<MaterialParams> materials = {};  ///< of the scene, with their locks; those of the first view count
+  std::optional<double> frame = std::nullopt;  ///< at which a rig's keys are looked up; empty: without keys
 };
 
 /// An engine whose picture is the pictures of all views, one above the other, as their metrics compare them. So
 /// whatever searches on a Renderer searches on several views at once: the lights are shared, and each style has its own
-/// parameters, named "<style>_<parameter>".
+/// parameters, named "<style>_<parameter>". What has keys is, in each view, what they say at its frame; a search that
+/// should not turn it in vain finds it locked.
 ///
 /// The error of target() is the weighted mean of the views' epsilons, each over its own importance. Memory: one picture
 /// a view. The views' engines outlive it. thread: theirs.

@@ -36,6 +36,20 @@ void Progress::record(const ParamState& state, double epsilon) {
   }
 }
 
+void Progress::compare_anew(double epsilon_start, double epsilon) {
+  tally();
+  report_.epsilon_start = epsilon_start;
+  report_.epsilon = epsilon;
+  report_.convergence.push_back({report_.render_equivalents, report_.evals, report_.seconds, epsilon});
+}
+
+void Progress::improve(const ParamState& state, double epsilon) {
+  report_.epsilon = epsilon;
+  best_ = state;
+  report_.convergence.push_back({report_.render_equivalents, report_.evals, report_.seconds, epsilon});
+  if (epsilon <= options_.until) finish(Termination::kTargetReached);
+}
+
 void Progress::finish(Termination termination) {
   if (running()) report_.termination = termination;
 }

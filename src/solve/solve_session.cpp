@@ -1,10 +1,12 @@
 #include "solve/solve_session.h"
 
 #include <cmath>
+#include <optional>
 #include <utility>
 
 #include "solve/fast_solver.h"
 #include "solve/progress.h"
+#include "solve/refinement.h"
 #include "solve/sample_cells.h"
 #include "solve/simplex_solver.h"
 
@@ -48,6 +50,8 @@ class SolveSession::Impl {
       use_simplex({.size = kSimplexSize, .restarts = progress_.options().restarts});
       return {};
     }
+    start_ = progress_.best();
+    edges_ = edges;
     LUM_TRY(solver_, FastSolver::create(*renderer_, target_, progress_, std::move(edges)));
     progress_.name_solver("fast");
     progress_.tally();
@@ -78,7 +82,8 @@ class SolveSession::Impl {
     by_simplex_ = true;
   }
 
-  /// `auto` goes on with whole pictures where samples did not see what the metric sees: nothing came of them.
+  /// Estimates are looked at more closely once; `auto` goes on with whole pictures where samples did not see what the
+  /// metric sees: nothing came of them.
   void end_of_solver() {
     const SolveReport& report = progress_.report();
     const bool automatic = progress_.options().solver == SolverKind::kAuto;
@@ -87,7 +92,19 @@ class SolveSession::Impl {
       use_simplex({.size = kBlurredSimplexSize, .restarts = 2, .restart_gain = 0.01});
       return;
     }
+    if (std::unique_ptr<Solver> closer = by_simplex_ ? nullptr : refinement(); closer) {
+      solver_ = std::move(closer);
+      return;
+    }
     progress_.finish(Termination::kConverged);
+  }
+
+  /// Null where there is nothing to refine, or it was done.
+  std::unique_ptr<Solver> refinement() {
+    constexpr int kPictures = 3;  // that it compares at least
+    if (!start_ || progress_.options().max_evals - progress_.report().evals < kPictures) return nullptr;
+    ParamState start = *std::exchange(start_, std::nullopt);
+    return Refinement::create(*renderer_, target_, progress_, std::move(start), edges_);
   }
 
   Renderer* renderer_;
@@ -95,6 +112,8 @@ class SolveSession::Impl {
   Progress progress_;
   std::unique_ptr<Solver> solver_;
   bool by_simplex_ = false;
+  std::optional<ParamState> start_;  ///< until what was found from it is refined
+  std::shared_ptr<const EdgeMask> edges_;
 };
 
 SolveSession::SolveSession(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}

@@ -14,7 +14,7 @@ namespace luminist {
 
 /// Draws frames beside the session, which stays where it is and records nothing. Each picture is one call, so that
 /// whoever waits for something else never waits for more than one of them. Stages are kept while the strip needs them:
-/// other lights cost only a small picture each. Path-traced styles are shown by the style `cinematic`.
+/// other lights cost only a small picture each. Path-traced pictures are smaller still, of few paths, and smoothed.
 /// thread the device's.
 class FrameStrip {
  public:

@@ -27,8 +27,7 @@ Error wrong(std::string what, std::string hint) {
   return {ErrorKind::kUsage, std::move(what), "", "frames", std::move(hint)};
 }
 
-Result<void> check_choices(std::span<const FrameChoice> frames, const LightRig& rig,
-                           const std::vector<PaintedFrame>& painted) {
+Result<void> check_choices(std::span<const FrameChoice> frames, const std::vector<PaintedFrame>& painted) {
   if (frames.size() < 2) return wrong("a rig is shared by two frames at least", "solve this frame by itself");
   for (std::size_t i = 0; i < frames.size(); ++i) {
     const std::string name = number_text(frames[i].frame);
@@ -41,9 +40,44 @@ Result<void> check_choices(std::span<const FrameChoice> frames, const LightRig& 
                    "paint the light that you want to see there"};
     }
   }
-  if (rig.keys.empty()) return {};
-  return wrong("lights with keys differ from frame to frame",
-               "solve one frame after the other, or remove the keys of the rig");
+  return {};
+}
+
+/// What has keys differs from frame to frame as they say, and is nothing that the frames share.
+LightRig with_keys_locked(const LightRig& rig) {
+  LightRig shared = rig;
+  for (const KeyTrack& track : rig.keys) {
+    ParamBlock* block = keyed_block(shared, track.light);
+    const auto param = block != nullptr ? block->schema().find(track.param) : std::nullopt;
+    if (!param) continue;
+    if (track.component < 0) {
+      block->set_param_locked(*param, true);
+    } else {
+      block->set_locked(block->schema()[*param].first_dof + track.component, true);
+    }
+  }
+  return shared;
+}
+
+/// Lights that were found, as they stand at a frame, with the locks of the rig that they were found for.
+LightRig found_at(LightRig found, const LightRig& given, double frame) {
+  pose(found, frame);
+  for (Light& light : found.lights) {
+    const Light* own = given.find(light.name);
+    for (int dof = 0; own != nullptr && dof < light.params.schema().dofs(); ++dof) {
+      light.params.set_locked(dof, own->params.locked_by_hand(dof));
+    }
+  }
+  for (int dof = 0; dof < found.ambient.schema().dofs(); ++dof) {
+    found.ambient.set_locked(dof, given.ambient.locked_by_hand(dof));
+  }
+  return found;
+}
+
+Result<void> check_shared(const ParamState& given, const LightRig& shared, const SceneFrame& frame) {
+  if (!check_free(given, frame) || check_free({shared, given.style}, frame)) return {};
+  return Error{ErrorKind::kNothingToDo, "all that may change has keys, which say what it is in each frame", "", "keys",
+               "unlock something without keys that the frames share, or solve one frame after the other"};
 }
 
 Result<FrameView> open_view(SessionData& session, const FrameChoice& choice) {
@@ -56,7 +90,9 @@ Result<FrameView> open_view(SessionData& session, const FrameChoice& choice) {
             open_stage(*session.device_, session.roots_, shot, session.folder_, told_already, session.stage_->moving));
   }
   Renderer& renderer = own ? *own->renderer : *session.stage_->renderer;
-  LUM_TRY(Image picture, renderer.render(session.state_));
+  ParamState there = session.state_;
+  pose(there.rig, choice.frame);
+  LUM_TRY(Image picture, renderer.render(there));
   Canvas canvas(renderer.surface(), std::move(picture), {});
   const Document document = at_frame(session.project_.document(), session.shot_.frame, choice.frame);
   LUM_TRY(CanvasState painted, read_paint(document, session.project_.tiles(), canvas.state()));
@@ -102,7 +138,7 @@ Result<LightRig> starting_rig(const LightRig& rig, const FrameView& view, const 
 Result<void> Shots::solve(std::span<const FrameChoice> frames, const SolveOptions& options, bool judged,
                           const Session::SolveWatch& watch, const Look& look) {
   Session& session = *session_;
-  LUM_TRY_VOID(check_choices(frames, session.state_.rig, painted()));
+  LUM_TRY_VOID(check_choices(frames, painted()));
   std::vector<FrameView> own;
   std::vector<View> views;
   for (const FrameChoice& choice : frames) {
@@ -117,10 +153,14 @@ Result<void> Shots::solve(std::span<const FrameChoice> frames, const SolveOption
     own.push_back(std::move(view));
   }
   for (const FrameView& view : own) {
+    const auto& [frame, weight] = view.choice;
+    const auto keys_at = session.state_.rig.keys.empty() ? std::nullopt : std::optional(frame);
     views.push_back(
-        {view.renderer, view.canvas.target(), session.state_.style, view.choice.weight, session.state_.materials});
+        {view.renderer, view.canvas.target(), session.state_.style, weight, session.state_.materials, keys_at});
   }
-  LUM_TRY(const LightRig rig, starting_rig(session.state_.rig, own.front(), session.stage_->frame));
+  const LightRig shared = with_keys_locked(session.state_.rig);
+  LUM_TRY_VOID(check_shared(session.state_, shared, session.stage_->frame));
+  LUM_TRY(const LightRig rig, starting_rig(shared, own.front(), session.stage_->frame));
   LUM_TRY(SharedSolve solve, SharedSolve::create(std::move(views), rig, options));
   const std::size_t here = place_of(session.shot_.frame, frames);
   bool stopped = false;
@@ -142,7 +182,9 @@ Result<void> Shots::solve(std::span<const FrameChoice> frames, const SolveOption
     solved.frames.push_back(std::move(done));
     stopped = stopped || (watch && !watch(solve.report()));
   }
-  session.propose(solve.state(0), std::move(solved));
+  ParamState found = solve.state(0);
+  found.rig = found_at(std::move(found.rig), session.state_.rig, session.shot_.frame);
+  session.propose(std::move(found), std::move(solved));
   return {};
 }
 

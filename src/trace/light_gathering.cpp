@@ -1,6 +1,7 @@
 #include "trace/light_gathering.h"
 
 #include <cmath>
+#include <utility>
 
 #include "base/check.h"
 #include "trace/mesh_emitters.h"
@@ -83,23 +84,29 @@ Vec3 seen_panel(const RigLight& light, const PathVertex& vertex) {
 }  // namespace
 
 std::size_t gather_light(const RayScene& rays, const LightPaths& paths, std::size_t first, std::size_t count,
-                         const RigLight& light, std::span<Vec3> sums) {
+                         const RigLight& light, std::span<Vec3> sums, std::span<Vec3> later) {
   LUM_CHECK(first + count <= paths.size() && sums.size() == count, "one sum per path");
+  LUM_CHECK(later.empty() || later.size() == count, "one sum per path");
   const bool panel = light.kind == RigLight::Kind::kArea;
   std::size_t asked = 0;
   for (std::size_t path = 0; path < count; ++path) {
+    bool spread = false;  // at a vertex before
     for (std::uint32_t i = paths.first[first + path]; i < paths.first[first + path + 1]; ++i) {
       const PathVertex& vertex = paths.vertices[i];
+      const bool is_later = std::exchange(spread, spread || vertex.way_pdf > 0.0F);
       Arrival arrival;
+      Vec3 added(0.0F);
       if (!light.lights(vertex.object)) continue;
       if (vertex.scatters &&
           (panel ? arrives_from_panel(light, vertex, arrival) : arrives_from_point(light, vertex, arrival)) &&
           arrival.radiance != Vec3(0.0F)) {
         const bool blocked = light.shadows && rays.blocked(arrival.segment);
-        sums[path] += blocked ? (1.0F - light.shadow_density) * arrival.radiance : arrival.radiance;
+        added = blocked ? (1.0F - light.shadow_density) * arrival.radiance : arrival.radiance;
         asked += light.shadows ? 1 : 0;
       }
-      if (panel) sums[path] += seen_panel(light, vertex);
+      if (panel) added += seen_panel(light, vertex);
+      sums[path] += added;
+      if (is_later && !later.empty()) later[path] += added;
     }
   }
   return asked;

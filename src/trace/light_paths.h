@@ -31,6 +31,7 @@ struct LightPaths {
   std::vector<PathVertex> vertices;
   std::vector<std::uint32_t> first{0};  ///< [paths + 1] path i owns vertices first[i] .. first[i + 1]
   std::vector<Vec3> emitted;            ///< [paths] radiance of what shines in the scene
+  std::vector<Vec3> emitted_later;      ///< [paths] the part of it that arrives by way of another surface
   std::vector<Vec3> escaped;            ///< [paths] what a radiance of 1 all around would add
 
   [[nodiscard]] std::size_t size() const { return emitted.size(); }

@@ -24,6 +24,7 @@ struct PathSettings {
   int samples = 64;
   int kept = 8;
   bool denoise = false;
+  float most_later = 0.0F;  ///< as in PathJob
 };
 
 PathSettings settings_of(const ParamBlock& style) {
@@ -36,6 +37,7 @@ PathSettings settings_of(const ParamBlock& style) {
   settings.samples = static_cast<int>(number("samples", settings.samples, 1, 1 << 20));
   settings.kept = static_cast<int>(number("kept", settings.kept, 1, 1024));
   settings.denoise = number("denoise", 0.0, 0.0, 1.0) != 0.0;
+  settings.most_later = static_cast<float>(number("clamp", 0.0, 0.0, 1e6));
   settings.options.bounces = static_cast<int>(number("bounces", settings.options.bounces, 1, 64));
   settings.options.seed = static_cast<std::uint32_t>(number("seed", 1.0, 0.0, 1e9));
   settings.options.caustics = number("caustics", 0.0, 0.0, 1.0) != 0.0;
@@ -50,8 +52,9 @@ Vec3 ambient_of(const ParamState& state) {
 
 /// All that a picture depends on besides its materials, as bytes.
 std::string job_key(const PathSettings& settings, std::span<const RigLight> lights, const Vec3& ambient) {
-  std::string key = fmt::format("{} {} {} {} {} {}|", settings.samples, settings.denoise, settings.options.bounces,
-                                settings.options.specular, settings.options.caustics, settings.options.seed);
+  std::string key = fmt::format("{} {} {} {} {} {} {}|", settings.samples, settings.denoise, settings.most_later,
+                                settings.options.bounces, settings.options.specular, settings.options.caustics,
+                                settings.options.seed);
   const auto add = [&](const Vec3& color) { key.append(reinterpret_cast<const char*>(&color), sizeof(color)); };
   add(ambient);
   for (const RigLight& light : lights) {
@@ -187,7 +190,7 @@ Result<Image> PathRenderer::Impl::render(const ParamState& state, bool shadows, 
       samples[i] = static_cast<std::uint32_t>(samples_for(share, settings.samples));
     }
   }
-  PathJob job{settings.options, lights, ambient_of(state), samples};
+  PathJob job{settings.options, lights, ambient_of(state), samples, settings.most_later};
   LUM_TRY(Image picture, trace_picture(tracer_, job, watch_, picture_queries_));
   double drawn = 0.0;
   for (const std::uint32_t count : samples) drawn += count;

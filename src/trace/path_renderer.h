@@ -16,10 +16,11 @@ namespace luminist {
 /// be moved for the price of shadow rays, and coloured for nothing; their noise is that of so few, but it is the same
 /// whenever the parameters are; evaluate() saves paths where Softness saves shadow rays. Other parameters of the style:
 /// "bounces", "seed", "caustics", "highlights" (a factor of everything but diffuse reflection), "denoise" (of render()
-/// alone). error() asks fewer paths of pixels that count less, and none of those that do not count. Samples are the
-/// picture's pixels, antialiased. Where a material is turned, kept paths are traced anew, so that estimates stay
-/// unbiased: a candidate with materials of its own costs its paths. Softness widens shadows and barns; there are no
-/// thresholds. thread: one; it works in parallel. Same parameters, same bits, for any number of threads.
+/// alone), "clamp" (what a path of render() may bring by way of a second surface; a solve's paths bring all). error()
+/// asks fewer paths of pixels that count less, and none of those that do not count. Samples are the picture's pixels,
+/// antialiased. Where a material is turned, kept paths are traced anew, so that estimates stay unbiased: a candidate
+/// with materials of its own costs its paths. Softness widens shadows and barns; there are no thresholds. thread: one;
+/// it works in parallel. Same parameters, same bits, for any number of threads.
 class PathRenderer final : public Renderer {
  public:
   /// errors kUsage for a size that is not positive; kLimit if memory runs out. memory: what paths may take, in bytes.

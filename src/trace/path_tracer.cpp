@@ -34,6 +34,7 @@ void LightPaths::clear() {
   vertices.clear();
   first.assign(1, 0);
   emitted.clear();
+  emitted_later.clear();
   escaped.clear();
 }
 
@@ -43,10 +44,16 @@ struct PathTracer::Walk {
   LightPaths& paths;
   int surfaces = 0;     ///< met so far
   bool spread = false;  ///< one of them was rough
+  bool later = false;   ///< one before the last vertex was: what arrives there comes by way of another surface
   PathVertex here;      ///< the last vertex, its way on chosen
   Vec3 emitted{0.0F};
+  Vec3 emitted_later{0.0F};
   Vec3 escaped{0.0F};
 
+  void add(const Vec3& radiance) {
+    emitted += radiance;
+    if (later) emitted_later += radiance;
+  }
   [[nodiscard]] Vec2 pair(VertexDimension dimension) const {
     return sampler.pair(kFirstVertex + static_cast<std::uint32_t>(surfaces) * kPerVertex + dimension);
   }
@@ -77,7 +84,7 @@ Ray PathTracer::eye_ray(const Vec2& place) const {
 }
 
 void PathTracer::trace(std::uint32_t pixel, std::uint32_t sample, const PathOptions& options, LightPaths& paths) const {
-  Walk walk{options, PathSampler(options.seed, pixel, sample), paths, 0, false, {}, Vec3(0.0F), Vec3(0.0F)};
+  Walk walk{options, PathSampler(options.seed, pixel, sample), paths};
   const auto columns = static_cast<std::uint32_t>(width_);
   const Vec2 corner(static_cast<float>(pixel % columns), static_cast<float>(pixel / columns));
   const Ray ray = eye_ray(corner + walk.sampler.pair(kPixel));
@@ -93,6 +100,7 @@ void PathTracer::trace(std::uint32_t pixel, std::uint32_t sample, const PathOpti
   }
   paths.first.push_back(static_cast<std::uint32_t>(paths.vertices.size()));
   paths.emitted.push_back(walk.emitted);
+  paths.emitted_later.push_back(walk.emitted_later);
   paths.escaped.push_back(walk.escaped);
 }
 
@@ -111,8 +119,9 @@ bool PathTracer::arrive(Walk& walk, const RayHit& hit) const {
       const float area_pdf = emitters_->area_pdf(hit.object, hit.triangle);
       weight = mis_weight(from.way_pdf, area_pdf * hit.distance * hit.distance / cosine);
     }
-    walk.emitted += weight * from.way_throughput * point.emissive;
+    walk.add(weight * from.way_throughput * point.emissive);
   }
+  walk.later = walk.spread;
   if (walk.surfaces == walk.options.bounces) return false;
 
   PathVertex next;
@@ -162,7 +171,7 @@ void PathTracer::ask_emitters(Walk& walk, const PathVertex& vertex) const {
   if (!(cosine > 0.0F) || !(scattered.pdf > 0.0F)) return;
   if (rays_->blocked({vertex.position, emitter.position})) return;
   const float pdf = emitter.area_pdf * square / cosine;
-  walk.emitted += vertex.throughput * scattered.value * emitter.radiance * (mis_weight(pdf, scattered.pdf) / pdf);
+  walk.add(vertex.throughput * scattered.value * emitter.radiance * (mis_weight(pdf, scattered.pdf) / pdf));
 }
 
 SurfaceBuffer PathTracer::surface_buffer() const {

@@ -21,8 +21,16 @@ using Sum = glm::dvec3;
 struct Scratch {
   LightPaths paths;
   std::vector<Vec3> light;
+  std::vector<Vec3> light_later;
   std::vector<Vec3> color;
+  std::vector<Vec3> later;  ///< the part of color that arrives by way of a second surface
 };
+
+/// What a path brings, with no more than `most` in any channel by way of a second surface.
+Vec3 held(const Vec3& color, const Vec3& later, float most) {
+  const float largest = std::max({later.x, later.y, later.z});
+  return most > 0.0F && largest > most ? color - (1.0F - most / largest) * later : color;
+}
 
 /// Samples from .. to of a pixel. returns the number of shadow rays.
 std::size_t draw_pixel(const PathTracer& tracer, const PathJob& job, std::uint32_t pixel, std::uint32_t from,
@@ -34,13 +42,19 @@ std::size_t draw_pixel(const PathTracer& tracer, const PathJob& job, std::uint32
   for (std::size_t i = 0; i < count; ++i) {
     scratch.color[i] = scratch.paths.emitted[i] + job.ambient * scratch.paths.escaped[i];
   }
+  scratch.later = scratch.paths.emitted_later;
   std::size_t rays = 0;
   for (const RigLight& light : job.lights) {
     scratch.light.assign(count, Vec3(0.0F));
-    rays += gather_light(tracer.rays(), scratch.paths, 0, count, light, scratch.light);
-    for (std::size_t i = 0; i < count; ++i) scratch.color[i] += light.color * scratch.light[i];
+    scratch.light_later.assign(count, Vec3(0.0F));
+    rays += gather_light(tracer.rays(), scratch.paths, 0, count, light, scratch.light, scratch.light_later);
+    for (std::size_t i = 0; i < count; ++i) {
+      scratch.color[i] += light.color * scratch.light[i];
+      scratch.later[i] += light.color * scratch.light_later[i];
+    }
   }
-  for (const Vec3& color : scratch.color) {
+  for (std::size_t i = 0; i < count; ++i) {
+    const Vec3 color = held(scratch.color[i], scratch.later[i], job.most_later);
     if (is_finite(color)) sum += Sum(color);
   }
   return rays;

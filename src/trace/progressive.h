@@ -26,6 +26,9 @@ struct PathJob {
   std::span<const RigLight> lights;
   Vec3 ambient{0.0F};                      ///< radiance of what is seen where nothing is
   std::span<const std::uint32_t> samples;  ///< [pixels]
+  /// What one path may bring at most by way of a second surface, in its largest channel; 0: anything. Rare bright paths
+  /// are single bright pixels; what is taken off them is missing in the mean.
+  float most_later = 0.0F;
 };
 
 /// Means over each pixel's samples; black where there are none. Passes double up to eight samples, so that something is

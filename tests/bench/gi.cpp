@@ -1,6 +1,7 @@
 #include "bench/gi.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -10,7 +11,7 @@
 #include <optional>
 #include <utility>
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "bench/painter.h"
 #include "render/metric.h"
@@ -57,6 +58,9 @@ struct GiTask {
   Target target;  ///< at the whole size
 };
 
+/// The values that are free, in the order of kFree.
+constexpr std::array<const char*, 4> kFree{"position.x", "position.z", "size", "intensity"};
+
 struct GiRun {
   ParamState found;
   int evals = 0;
@@ -85,9 +89,7 @@ Result<ParamState> moved_start(const ParamState& rig, std::uint64_t seed) {
   LUM_TRY_VOID(assign(start, light + "/intensity", random.uniform(0.5, 1.5)));
   LUM_TRY_VOID(assign(start, "style/seed", static_cast<double>(seed)));
   for (ParamBlock* block : start.blocks()) block->set_param_locked(-1, true);
-  for (const char* dof : {"/position.x", "/position.z", "/size", "/intensity"}) {
-    LUM_TRY_VOID(set_locked(start, light + dof, false));
-  }
+  for (const char* dof : kFree) LUM_TRY_VOID(set_locked(start, light + "/" + dof, false));
   keep_constraints(start.rig);
   return start;
 }
@@ -155,7 +157,8 @@ class GiBench {
     SolveOptions options;
     options.seed = seed;
     options.restarts = 0;  // of either solver
-    if (method == "kept") {
+    if (method == "kept" || method == "searched") {
+      options.restarts = method == "kept" ? 0 : -1;
       options.solver = SolverKind::kFast;
       LUM_TRY_VOID(solve(stages_.back().renderer(), task.target, options, run));
       return run;
@@ -187,6 +190,14 @@ class GiBench {
   std::vector<BenchStage> stages_;  ///< a quarter of the size, a half, the whole
 };
 
+std::array<double, kFree.size()> free_values(const ParamState& state) {
+  const ParamBlock& panel = state.rig.find(kLight)->params;
+  const ParamSchema& schema = panel.schema();
+  const int position = *schema.by_role("position");
+  return {panel.get(position, 0), panel.get(position, 2), panel.get(*schema.find("size")),
+          panel.get(*schema.find("intensity"))};
+}
+
 void print_run(const GiOptions& options, const std::string& method, std::uint64_t seed, double start,
                const GiRun& run) {
   if (options.json) {
@@ -201,14 +212,15 @@ void print_run(const GiOptions& options, const std::string& method, std::uint64_
                                       {"cpu_seconds", run.cpu_seconds},
                                       {"first_seconds", run.first_seconds},
                                       {"epsilon_start", start},
-                                      {"epsilon", run.epsilon}};
+                                      {"epsilon", run.epsilon},
+                                      {"found", free_values(run.found)}};
     std::printf("%s\n", line.dump().c_str());
   } else {
     fmt::print(
         "{:<16} seed {}  {:>4} pictures{}  {:>8.2f} s ({:.2f} s of processors), better after {:.2f} s  error {:.5f} -> "
-        "{:.5f}\n",
+        "{:.5f}  at {:.3f}\n",
         method, seed, run.evals, run.capped ? " (cap)" : "", run.seconds, run.cpu_seconds, run.first_seconds, start,
-        run.epsilon);
+        run.epsilon, fmt::join(free_values(run.found), ", "));
   }
   std::fflush(stdout);
 }
@@ -262,12 +274,12 @@ void print_results(const GiOptions& options, const std::vector<std::string>& met
 }  // namespace
 
 Result<void> run_gi(Device& device, const GiOptions& options) {
-  std::vector<std::string> methods{"kept", "multiresolution", "full"};
+  std::vector<std::string> methods{"kept", "searched", "multiresolution", "full"};
   if (!options.methods.empty()) {
     for (const std::string& method : options.methods) {
       if (std::ranges::find(methods, method) != methods.end()) continue;
       return Error{ErrorKind::kUsage, fmt::format("there is no method \"{}\"", method), "", "--methods",
-                   "one of full, multiresolution, kept"};
+                   "one of full, multiresolution, kept, searched"};
     }
     methods = options.methods;
   }

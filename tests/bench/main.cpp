@@ -155,7 +155,8 @@ void add_gi(CLI::App& app, Run& run) {
   bench->add_option("--samples", options->samples, "paths a pixel of the simplexes' pictures")->capture_default_str();
   bench->add_option("--reference", options->reference, "paths a pixel of the picture that judges")
       ->capture_default_str();
-  bench->add_option("--methods", options->methods, "only these of full, multiresolution, kept")->delimiter(',');
+  bench->add_option("--methods", options->methods, "only these of full, multiresolution, kept, searched")
+      ->delimiter(',');
   bench->callback([options, size, &run] {
     run = [options, size](Device& device) -> Result<void> {
       LUM_TRY(options->size, parse_size(*size));

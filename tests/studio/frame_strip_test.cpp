@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <condition_variable>
+#include <map>
 #include <mutex>
 #include <thread>
 
@@ -86,6 +87,40 @@ TEST_F(FrameStripTest, APreviewIsTheFrameThatGoingThereShows) {
   EXPECT_EQ(rig_to_toml(snapshot.shown->rig), rig_to_toml(session_->state().rig));
   strip_->leave_preview();
   EXPECT_FALSE(facts().previewed);
+}
+
+TEST_F(FrameStripTest, APathTracedShotIsPreviewedByPathsOfItsOwn) {
+  Shot shot = moving_;
+  shot.scene_options.floor = true;
+  std::map<std::string, Image> previews;
+  for (const char* style : {"cinematic", "path"}) {
+    shot.style = style;
+    auto session = Session::open(*device_, roots_, shot, folder_.path(), diagnostics_);
+    ASSERT_TRUE(session) << session.error().message();
+    NewLight plain;
+    plain.type = "point";
+    plain.from_paint = false;
+    LUM_ASSERT_OK(const std::string light, (*session)->add_light(plain));
+    LUM_EXPECT_OK((*session)->set({"lights/" + light + "/position=0,6,0", "ambient/color=0,0,0"}));
+    LUM_EXPECT_OK(strip_->preview(**session, (*session)->state(), 3));
+    StudioSnapshot snapshot;
+    strip_->tell(**session, snapshot);
+    previews[style] = *snapshot.picture;
+    EXPECT_EQ(snapshot.shown->style.schema().names(), (*session)->state().style.schema().names());
+  }
+  const Image& direct = previews["cinematic"];
+  const Image& paths = previews["path"];
+  ASSERT_EQ(paths.pixels(), direct.pixels());
+  int lit_by_the_floor = 0;  // the ball's lower half
+  int only_direct = 0;
+  for (std::size_t i = 0; i < direct.pixels(); ++i) {
+    const bool dark = glm::length(direct.rgb(i)) < 1e-4F;
+    const bool dark_for_paths = glm::length(paths.rgb(i)) < 1e-4F;
+    lit_by_the_floor += dark && !dark_for_paths ? 1 : 0;
+    only_direct += !dark && dark_for_paths ? 1 : 0;
+  }
+  EXPECT_GT(lit_by_the_floor, 15);
+  EXPECT_LT(only_direct, 15);  // along edges
 }
 
 TEST_F(FrameStripTest, TheRangeIsThatOfWhatMovesAndOfTheKeys) {

@@ -195,9 +195,33 @@ TEST_F(ShotsTest, WhatCannotBeSolvedTogetherIsSaid) {
   EXPECT_EQ(solve({{0}, {0}}), ErrorKind::kUsage);
   EXPECT_EQ(solve({{0}, {24, 0.0}}), ErrorKind::kUsage);
   EXPECT_EQ(solve({{0}, {12}}), ErrorKind::kNothingToDo);
-  LUM_ASSERT_OK([[maybe_unused]] const int keyed, session_->set_keys("lights/light/color", KeyInterpolation::kLinear));
-  EXPECT_EQ(solve({{0}, {24}}), ErrorKind::kUsage);
+  LUM_ASSERT_OK([[maybe_unused]] const int keyed, session_->set_keys("lights/light", KeyInterpolation::kLinear));
+  EXPECT_EQ(solve({{0}, {24}}), ErrorKind::kNothingToDo);  // what may change is in each frame what its keys say
   EXPECT_FALSE(session_->has_proposal());
+}
+
+TEST_F(ShotsTest, WhatHasKeysStaysAsTheySayAndTheRestIsFoundForAllFrames) {
+  LUM_EXPECT_OK(session_->set({"lights/light/color=1,0.2,0.2", "lights/light/position=0.3,1.2,1.5",
+                               "lights/light/direction=-0.15,-0.6,-0.75"}));
+  LUM_ASSERT_OK([[maybe_unused]] const int keyed, session_->set_keys("lights/light/color", KeyInterpolation::kLinear));
+  LUM_EXPECT_OK(session_->go_to(24));
+  LUM_EXPECT_OK(session_->set({"lights/light/color=0.2,0.2,1"}));
+  paint_at(24);
+  paint_at(0);
+  const std::string keys_before = keys_to_toml(session_->state().rig);
+  const Vec3 place(position(0), position(1), position(2));
+  const std::vector<FrameChoice> both = {{24}, {0}};
+  LUM_EXPECT_OK(shots().solve(both, few_evals(), false, {}));
+  const Solved solved = *session_->solved();
+  EXPECT_LT(solved.report.epsilon, solved.report.epsilon_start);
+  const double mean = (solved.frames[0].start + solved.frames[1].start) / 2.0;
+  EXPECT_NEAR(solved.report.epsilon_start, mean, 1e-4 * mean);  // each frame is compared under its own colour
+  LUM_EXPECT_OK(session_->accept());
+  EXPECT_EQ(keys_to_toml(session_->state().rig), keys_before);
+  EXPECT_NE(Vec3(position(0), position(1), position(2)), place);
+  const ParamBlock& params = session_->state().rig.find("light")->params;
+  EXPECT_EQ(params.vec3(*params.schema().find("color")), Vec3(1.0F, 0.2F, 0.2F));
+  EXPECT_FALSE(params.locked(params.schema()[*params.schema().find("color")].first_dof));
 }
 
 TEST_F(ShotsTest, LightsOfTheSceneGoWithItUntilTheLighterMovesThem) {

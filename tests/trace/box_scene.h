@@ -83,6 +83,7 @@ class PathShot {
     shot.state = std::make_unique<ParamState>(initial_state(shot.types_, style, shot.renderer->frame()));
     shot.set("ambient/color=0,0,0");
     shot.set("style/caustics=true");
+    shot.set("style/clamp=0");
     return shot;
   }
   void set(const std::string& assignment) const { LUM_EXPECT_OK(set_path(*state, assignment)); }

@@ -1,0 +1,152 @@
+#include "solve/refinement.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "render/metric.h"
+#include "solve/sample_cells.h"
+
+namespace luminist {
+namespace {
+
+constexpr int kRounds = 2;
+constexpr int kMorePaths = 4;         // times those of the round before
+constexpr int kMostPaths = 256;       // a pixel
+constexpr int kPixels = 3000;         // that a descent looks at
+constexpr int kIterations = 4;        // batches of slopes
+constexpr int kJudges = 2;            // times the user's paths, for whole pictures
+constexpr double kWorthwhile = 0.01;  // of what was gained so far: a round that gains less was the last
+constexpr double kSeedStep = 7919.0;  // seeds of rounds are as far apart
+
+}  // namespace
+
+/// One round's problem; its parts point into each other.
+struct Refinement::Descent {
+  Level level;
+  PictureParts parts;
+  std::optional<CellProblem> problem;
+  std::optional<GaussNewton> newton;
+};
+
+std::unique_ptr<Refinement> Refinement::create(Renderer& renderer, const Target& target, Progress& progress,
+                                               ParamState start, std::shared_ptr<const EdgeMask> edges) {
+  const ParamSchema& schema = start.style.schema();
+  const auto kept = schema.by_role("kept");
+  const auto seed = schema.by_role("seed");
+  if (!renderer.estimates() || !kept || !seed) return nullptr;
+  const std::vector<const ParamBlock*> blocks = std::as_const(start).blocks();
+  const UnitMap map = UnitMap::create(blocks, renderer.frame());
+  const bool turns = std::ranges::any_of(map.list(), [&](const Dof& dof) {
+    return blocks[static_cast<std::size_t>(dof.block)]->schema()[dof.param].role != "color";
+  });
+  if (!turns) return nullptr;
+  return std::unique_ptr<Refinement>(
+      new Refinement(renderer, target, progress, std::move(start), std::move(edges), {*kept, *seed}));
+}
+
+Refinement::Refinement(Renderer& renderer, const Target& target, Progress& progress, ParamState start,
+                       std::shared_ptr<const EdgeMask> edges, PathParams params)
+    : renderer_(&renderer),
+      target_(&target),
+      progress_(&progress),
+      start_(std::move(start)),
+      edges_(std::move(edges)),
+      params_(params),
+      found_(progress.best()) {}
+
+Refinement::~Refinement() = default;
+
+ParamState Refinement::with_paths(const ParamState& state, int paths, bool for_judging) const {
+  ParamState other = state;
+  const double seed = start_.style.get(params_.seed);
+  const double most = start_.style.schema()[params_.seed].range_max[0];
+  const double step = kSeedStep * (2 * round_ + (for_judging ? 2 : 1));
+  other.style.set(params_.kept, 0, paths);
+  other.style.set(params_.seed, 0, std::fmod(seed + step, most + 1.0));
+  return other;
+}
+
+ParamState Refinement::as_given(const ParamState& state) const {
+  ParamState given = state;
+  for (const int param : {params_.kept, params_.seed}) given.style.set(param, 0, start_.style.get(param));
+  return given;
+}
+
+Result<void> Refinement::prepare() {
+  const int given = std::max(1, static_cast<int>(start_.style.get(params_.kept)));
+  int paths = given;
+  for (int round = 0; round <= round_; ++round) paths *= kMorePaths;
+  const ParamState state = with_paths(progress_->best(), std::clamp(paths, given, std::max(given, kMostPaths)), false);
+  const StyleMetric& metric = renderer_->style().metric;
+  Target seen;
+  if (metric.blur > 0.0F) seen = as_compared(*target_, metric);
+  const CellSampler sampler(renderer_->surface(), metric.blur > 0.0F ? seen : *target_, edges_);
+  auto descent = std::make_unique<Descent>();
+  const std::uint64_t seed = progress_->options().seed + 100 + static_cast<std::uint64_t>(round_);
+  descent->level = {sampler.cut(kPixels, 1, seed), {0.0F, 0.0F, 0.0F, 8}, 0.006, 0.005, kIterations};
+  const SampleCells& cells = descent->level.cells;
+  LUM_TRY(descent->parts, PictureParts::create(*renderer_, state, cells.samples));
+  LUM_TRY(CellProblem problem,
+          CellProblem::create(*renderer_, descent->parts, descent->level, state, Norm::kUnsquared));
+  descent->problem.emplace(std::move(problem));
+  LUM_TRY(CellPoint point, descent->problem->measure(state));
+  Vec3 sum(0.0F);
+  for (const Vec3& position : cells.position) sum += position;
+  const Vec3 focus = sum / static_cast<float>(std::max(1, cells.size()));
+  const GaussNewtonOptions options{.damping = 1e-3, .eager = true};
+  descent->newton.emplace(*descent->problem, std::move(point), focus, options);
+  descent_ = std::move(descent);
+  phase_ = Phase::kDescend;
+  return {};
+}
+
+Result<void> Refinement::judge() {
+  const std::array<const ParamState*, 3> states{&start_, &progress_->best(), &found_};
+  const int paths = kJudges * std::max(1, static_cast<int>(start_.style.get(params_.kept)));
+  const ParamState state = with_paths(*states[judged_.size()], paths, true);
+  Objective objective(*renderer_, state, *target_);
+  LUM_TRY(const double epsilon, objective.evaluate(objective.unit(state)));
+  judged_.push_back(epsilon);
+  progress_->count();
+  if (judged_.size() == states.size()) end_round();
+  return {};
+}
+
+void Refinement::end_round() {
+  const double start = judged_[0];
+  const double best = judged_[1];
+  const double found = judged_[2];
+  judged_.clear();
+  descent_.reset();
+  progress_->compare_anew(start, best);
+  if (found < best) progress_->improve(found_, found);
+  ++round_;
+  const bool worthwhile = best - found > kWorthwhile * (start - found);
+  phase_ = worthwhile && round_ < kRounds && progress_->running() ? Phase::kPrepare : Phase::kDone;
+}
+
+Result<bool> Refinement::step() {
+  switch (phase_) {
+    case Phase::kPrepare:
+      LUM_TRY_VOID(prepare());
+      break;
+    case Phase::kDescend: {
+      LUM_TRY(const bool more, descent_->newton->iterate());
+      if (more) break;
+      found_ = as_given(descent_->newton->point().state);
+      phase_ = Phase::kJudge;
+      break;
+    }
+    case Phase::kJudge:
+      LUM_TRY_VOID(judge());
+      break;
+    case Phase::kDone:
+      break;
+  }
+  progress_->tally();
+  return phase_ != Phase::kDone;
+}
+
+}  // namespace luminist

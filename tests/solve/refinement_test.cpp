@@ -1,0 +1,148 @@
+// Solves on estimates, of which more paths know more.
+#include "solve/refinement.h"
+
+#include <gtest/gtest.h>
+
+#include "fake_renderer.h"
+#include "render/metric.h"
+#include "solve/random.h"
+#include "support/fixtures.h"
+
+namespace luminist {
+namespace {
+
+constexpr int kSize = 48;
+
+ParamSpec number(const std::string& name, double value, double most) {
+  ParamSpec spec;
+  spec.name = name;
+  spec.role = name;
+  spec.type = ParamType::kInt;
+  spec.default_value = {value};
+  spec.range_min = {0.0};
+  spec.range_max = {most};
+  return spec;
+}
+
+/// The fake's pictures with the noise of as many paths as the style keeps, chosen by its seed.
+class NoisyRenderer final : public Renderer {
+ public:
+  explicit NoisyRenderer(bool counts_paths) : fake_(kSize, kSize) {
+    style_ = fake_.style();
+    std::vector<ParamSpec> specs{number("kept", 2, 256)};
+    if (counts_paths) specs.push_back(number("seed", 1, 1e6));
+    auto schema = ParamSchema::create(std::move(specs), "noisy");
+    EXPECT_TRUE(schema);
+    style_.schema = *schema;
+  }
+  [[nodiscard]] FakeRenderer& exact() { return fake_; }
+  [[nodiscard]] ParamState with_style(const ParamState& state) const {
+    return {state.rig, ParamBlock(style_.schema, fake_.frame())};
+  }
+  [[nodiscard]] const SurfaceBuffer& surface() const override { return fake_.surface(); }
+  [[nodiscard]] SceneFrame frame() const override { return fake_.frame(); }
+  [[nodiscard]] const Style& style() const override { return style_; }
+  [[nodiscard]] bool estimates() const override { return true; }
+  [[nodiscard]] const WorkCount& work() const override { return fake_.work(); }
+  Result<Image> render(const ParamState& state, const RenderOptions& options) override {
+    LUM_TRY(Image picture, fake_.render(state, options));
+    for (std::size_t i = 0; i < picture.pixels(); ++i) picture.set_rgb(i, picture.rgb(i) * noise(state, i));
+    return picture;
+  }
+  using Renderer::error;
+  Result<double> error(const ParamState& state, const Target& target) override {
+    LUM_TRY(const Image picture, render(state, {}));
+    return picture_error(picture, target, style_.metric);
+  }
+  Result<void> evaluate(std::span<const Candidate> candidates, const SampleSet& samples, const Softness& softness,
+                        std::span<Vec3> out) override {
+    LUM_TRY_VOID(fake_.evaluate(candidates, samples, softness, out));
+    const std::size_t count = samples.pixels.size();
+    for (std::size_t k = 0; k < candidates.size(); ++k) {
+      for (std::size_t i = 0; i < count; ++i) out[k * count + i] *= noise(*candidates[k].state, samples.pixels[i]);
+    }
+    return {};
+  }
+
+ private:
+  [[nodiscard]] static float noise(const ParamState& state, std::size_t pixel) {
+    const auto seed = state.style.schema().by_role("seed");
+    Random random(1000003 * static_cast<std::uint64_t>(seed ? state.style.get(*seed) : 0.0) + pixel);
+    const double spread = 1.5 / std::sqrt(state.style.get(*state.style.schema().by_role("kept")));
+    return static_cast<float>(1.0 + spread * random.uniform(-1.0, 1.0));
+  }
+
+  FakeRenderer fake_;
+  Style style_;
+};
+
+class RefinementTest : public ::testing::Test {
+ protected:
+  /// A light that is to be found, and the same light elsewhere.
+  void SetUp() override {
+    const FakeRenderer fake(kSize, kSize);
+    wanted_ = std::make_unique<ParamState>(fake.empty_state());
+    wanted_->rig.lights.push_back(hidden_light(fake, "key", 5));
+    start_ = std::make_unique<ParamState>(*wanted_);
+    ParamBlock& params = start_->rig.lights.front().params;
+    params.set_param_locked(-1, true);
+    const int position = *params.schema().by_role("position");
+    params.set_param_locked(position, false);
+    params.set_vec3(position, params.vec3(position) + Vec3(0.4F, -0.3F, 0.2F));
+  }
+  Result<ParamState> solve(NoisyRenderer& renderer) {
+    const Target target = renderer.exact().target_of(*wanted_, *start_);
+    const SolveOptions options{.solver = SolverKind::kFast, .restarts = 0};
+    LUM_TRY(SolveSession session, SolveSession::create(renderer, renderer.with_style(*start_), target, options));
+    for (bool more = true; more;) {
+      LUM_TRY(more, session.step());
+    }
+    report_ = session.report();
+    return session.best();
+  }
+  /// Without noise.
+  double true_error(NoisyRenderer& renderer, const ParamState& state) {
+    const Target target = renderer.exact().target_of(*wanted_, *start_);
+    auto error = renderer.exact().error(state, target);
+    EXPECT_TRUE(error);
+    return error ? *error : 0.0;
+  }
+
+  std::unique_ptr<ParamState> wanted_, start_;
+  SolveReport report_;
+};
+
+TEST_F(RefinementTest, FindsWhatTheNoiseOfFewPathsHides) {
+  NoisyRenderer few(false);
+  LUM_ASSERT_OK(const ParamState coarse, solve(few));
+  NoisyRenderer more(true);
+  LUM_ASSERT_OK(const ParamState fine, solve(more));
+  EXPECT_LT(true_error(more, fine), 0.8 * true_error(few, coarse));
+}
+
+TEST_F(RefinementTest, LeavesTheUsersPathsAndTellsTheErrorsOfMore) {
+  NoisyRenderer renderer(true);
+  const ParamState start = renderer.with_style(*start_);
+  LUM_ASSERT_OK(const ParamState found, solve(renderer));
+  EXPECT_TRUE(found.style.same_values(start.style));
+  const Target target = renderer.exact().target_of(*wanted_, *start_);
+  LUM_ASSERT_OK(const double few, renderer.error(start, target));
+  EXPECT_LT(report_.epsilon_start, few);  // noise makes every error larger, and more paths have less of it
+  EXPECT_LT(report_.epsilon, report_.epsilon_start);
+  EXPECT_EQ(report_.termination, Termination::kConverged);
+}
+
+TEST_F(RefinementTest, HasNothingToDoWhereOnlyColoursTurn) {
+  NoisyRenderer renderer(true);
+  ParamState state = renderer.with_style(*start_);
+  const Target target = renderer.exact().target_of(*wanted_, *start_);
+  Progress progress(renderer, state, {});
+  EXPECT_NE(Refinement::create(renderer, target, progress, state, nullptr), nullptr);
+  ParamBlock& params = state.rig.lights.front().params;
+  params.set_param_locked(-1, true);
+  params.set_param_locked(*params.schema().by_role("color"), false);
+  EXPECT_EQ(Refinement::create(renderer, target, progress, state, nullptr), nullptr);
+}
+
+}  // namespace
+}  // namespace luminist
