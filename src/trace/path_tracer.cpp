@@ -42,10 +42,10 @@ struct PathTracer::Walk {
   const PathOptions& options;
   PathSampler sampler;
   LightPaths& paths;
-  int surfaces = 0;     ///< met so far
-  bool spread = false;  ///< one of them was rough
-  bool later = false;   ///< one before the last vertex was: what arrives there comes by way of another surface
-  PathVertex here;      ///< the last vertex, its way on chosen
+  int surfaces = 0;      ///< met so far
+  bool spread = false;   ///< one of them was rough
+  bool later = false;    ///< one before the last vertex was: what arrives there comes by way of another surface
+  PathVertex here = {};  ///< the last vertex, its way on chosen
   Vec3 emitted{0.0F};
   Vec3 emitted_later{0.0F};
   Vec3 escaped{0.0F};
