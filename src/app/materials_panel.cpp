@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -11,18 +12,12 @@
 namespace luminist {
 namespace {
 
-constexpr int kRows = 8;  // of the list that are in sight at once
+constexpr int kRows = 4;  // of the list that are in sight at once, with the parameters below them
 
 int locked_dofs(const ParamBlock& block) {
   int locked = 0;
   for (int dof = 0; dof < block.schema().dofs(); ++dof) locked += block.locked_by_hand(dof) ? 1 : 0;
   return locked;
-}
-
-void dim_text(const char* text) {
-  ImGui::PushStyleColor(ImGuiCol_Text, paint_colors::kDim);
-  ImGui::TextWrapped("%s", text);
-  ImGui::PopStyleColor();
 }
 
 void swatch(const Desk& desk, const Vec3& color) {
@@ -99,9 +94,11 @@ void MaterialsPanel::row(Desk& desk, const Seen& seen) {
   if (hidden) ImGui::PushStyleColor(ImGuiCol_Text, paint_colors::kDim);
   ImGui::PushStyleVar(ImGuiStyleVar_SelectableTextAlign, {0.0F, 0.5F});
   const std::string words = material.name + (turn.nothing() ? "" : "  (changed)");
-  if (ImGui::Selectable(words.c_str(), desk.material == material.name, 0, {0.0F, ImGui::GetFrameHeight()})) {
-    desk.material = material.name;
+  const bool chosen = desk.material == material.name;
+  if (ImGui::Selectable(words.c_str(), chosen, 0, {0.0F, ImGui::GetFrameHeight()})) {
+    desk.material = in_sight_ = material.name;
   }
+  if (chosen && std::exchange(in_sight_, material.name) != material.name) ImGui::SetScrollHereY();
   ImGui::PopStyleVar();
   if (hidden) ImGui::PopStyleColor();
   const double share = 100.0 * static_cast<double>(seen.pixels) / static_cast<double>(facts_->surface.pixels());
@@ -131,7 +128,9 @@ void MaterialsPanel::heading(const Desk& desk) {
   const ImVec2 start = ImGui::GetCursorPos();
   const ImVec2 at = ImGui::GetCursorScreenPos();
   if (ImGui::Selectable("##materials", false, ImGuiSelectableFlags_None, {0.0F, side})) open_ = !open_;
-  tip(desk.theme, "What light falls on: tint, highlights and roughness of the scene's materials.");
+  tip(desk.theme,
+      "What light falls on: tint, highlights and roughness of the scene's materials. All of it is locked: free a "
+      "material where not only the light, but the surface, too, may become what is painted.");
   draw_icon(*ImGui::GetWindowDrawList(), open_ ? Icon::kUnfolded : Icon::kFolded,
             {at.x + 0.5F * side, at.y + 0.5F * side}, 0.5F * side, paint_colors::kDim);
   const ImVec2 end = ImGui::GetCursorPos();
@@ -157,8 +156,6 @@ void MaterialsPanel::draw(Desk& desk, ParamWidgets& widgets) {
   heading(desk);
   if (!open_) return;
   look(desk);
-  dim_text("Light comes first. Free a material where the surface, too, may become what is painted.");
-  ImGui::Spacing();
   const float side = ImGui::GetFrameHeight();
   if (icon_button(desk.theme, "pick material", Icon::kTarget, side, desk.pick_material,
                   "Click here, then on the picture, to choose the material there.")) {

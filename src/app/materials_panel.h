@@ -1,6 +1,7 @@
 #pragma once
 // app/materials_panel.h -- what light falls on: the scene's materials as a list, and the parameters of one of them.
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "app/desk.h"
@@ -26,6 +27,7 @@ class MaterialsPanel {
   void details(Desk& desk, const MaterialParams& material, ParamWidgets& widgets);
 
   bool open_ = false;
+  std::string in_sight_;                    ///< the chosen one, once the list was scrolled to it
   std::shared_ptr<const ShotFacts> facts_;  ///< of which seen_ is
   std::vector<Seen> seen_;                  ///< of every material, the largest first
 };

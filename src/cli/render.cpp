@@ -145,8 +145,8 @@ Verb declare_render(CLI::App& app) {
       "  luminist render meshes/still_life/still_life.glb -o dim.png\n"
       "  luminist render meshes/room/room.glb --rig meshes/room/rig.toml --style path --samples 256 -o room.exr\n"
       "  luminist render model.obj --floor --wall --style toon --set style/threshold=0.4 --size 1280x720 -o model.exr\n"
-      "  luminist render meshes/still_life/still_life.glb --set materials/jug/roughness=0.2 --scene shiny.glb -o "
-      "shiny.png\n"
+      "  luminist render meshes/still_life/still_life.glb --set materials/jug_glaze/roughness=0.6 --scene dull.glb -o "
+      "dull.png\n"
       "  luminist render meshes/creature/creature.glb --rig keyed.toml --frames 0-47 -o out/f.####.exr --film f.mp4");
   return [words](VerbContext& context) { return render(*words, context); };
 }

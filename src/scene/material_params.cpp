@@ -70,6 +70,18 @@ void start_at(std::vector<ParamSpec>& specs, std::string_view role, float value)
   }
 }
 
+/// A tint of a plain colour ends where all light is reflected: beyond, a solver would find no slope.
+void end_tint(std::vector<ParamSpec>& specs, const Material& material) {
+  if (material.base_color_texture >= 0) return;  // a texel may be dark
+  for (ParamSpec& spec : specs) {
+    if (spec.role != "tint") continue;
+    for (int c = 0; c < 3; ++c) {
+      double& most = spec.range_max[static_cast<std::size_t>(c)];
+      most = std::min(most, std::max(1.0, 1.0 / std::max(1e-6, static_cast<double>(material.base_color[c]))));
+    }
+  }
+}
+
 /// How a value stands to the material's own one.
 void relate(float now, float own, float& scale, float& shift) {
   if (now == own) return;
@@ -140,20 +152,15 @@ std::vector<std::string> material_names(const std::vector<Material>& materials) 
 
 std::vector<MaterialParams> material_params(const std::vector<Material>& materials, const ParamSchema& schema) {
   const std::vector<std::string> names = material_names(materials);
-  std::map<std::pair<float, float>, std::shared_ptr<const ParamSchema>> schemas;  // by the material's own values
   std::vector<MaterialParams> params;
   for (std::size_t i = 0; i < materials.size(); ++i) {
-    const Material& material = materials[i];
-    std::shared_ptr<const ParamSchema>& own = schemas[{material.specular, material.roughness}];
-    if (own == nullptr) {
-      std::vector<ParamSpec> specs = schema.specs();
-      start_at(specs, "specular", material.specular);
-      start_at(specs, "roughness", material.roughness);
-      auto created = ParamSchema::create(std::move(specs), kManifest);
-      LUM_CHECK(created, "a schema with other defaults in its ranges is one");
-      own = std::move(created).value();
-    }
-    params.push_back({names[i], ParamBlock(own, {})});
+    std::vector<ParamSpec> specs = schema.specs();
+    start_at(specs, "specular", materials[i].specular);
+    start_at(specs, "roughness", materials[i].roughness);
+    end_tint(specs, materials[i]);
+    auto own = ParamSchema::create(std::move(specs), kManifest);
+    LUM_CHECK(own, "a schema with other defaults in its ranges is one");
+    params.push_back({names[i], ParamBlock(std::move(own).value(), {})});
   }
   return params;
 }

@@ -27,7 +27,7 @@ Result<std::shared_ptr<const ParamSchema>> load_material_schema(const AssetRoots
 std::vector<std::string> material_names(const std::vector<Material>& materials);
 
 /// The parameters of a scene's materials, in its order, locked as the schema says. What a material has outside of a
-/// range widens it.
+/// range widens it; the tint of a colour without a texture ranges up to where all light is reflected.
 std::vector<MaterialParams> material_params(const std::vector<Material>& materials, const ParamSchema& schema);
 
 /// What a material's parameters make of a surface, as the raster engine's shaders read it. Factors of what the surface

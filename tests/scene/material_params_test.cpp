@@ -66,6 +66,19 @@ TEST_F(MaterialParamsTest, StartAsTheSceneHasThemAndLocked) {
   EXPECT_TRUE(turn_of(block).nothing());
 }
 
+TEST_F(MaterialParamsTest, ATintEndsWhereAllLightIsReflected) {
+  Material jug = named("jug");
+  jug.base_color = {0.8F, 0.1F, 1.0F};
+  const ParamBlock plain = block_of(jug);
+  const ParamSpec& tint = plain.schema()[*plain.schema().find("tint")];
+  EXPECT_NEAR(tint.range_max[0], 1.25, 1e-6);
+  EXPECT_EQ(tint.range_max[1], 2.0) << "the manifest's";
+  EXPECT_EQ(tint.range_max[2], 1.0);
+  jug.base_color_texture = 0;
+  const ParamBlock textured = block_of(jug);
+  EXPECT_EQ(textured.schema()[*textured.schema().find("tint")].range_max[2], 2.0) << "a texel may be dark";
+}
+
 TEST_F(MaterialParamsTest, NothingTurnedLeavesEveryBit) {
   const SurfaceColors colors{{0.31F, 0.77F, 0.13F}, {0.043F, 0.04F, 0.29F}, 0.0371F, 0.217F};
   const SurfaceColors same = turned(turn_of(block_of(named("jug"))), colors);
