@@ -112,7 +112,9 @@ class Studio:
     def shot(self, name):
         """A screenshot that is not blank."""
         self.shots += 1
-        file = self.output / f"{self.shots:02}_{name}.png"
+        return self.retake(self.output / f"{self.shots:02}_{name}.png")
+
+    def retake(self, file):
         subprocess.run(["import", "-window", "root", "-crop", "1280x720+0+0", "+repage", file], env=self.env, check=True)
         colors = int(subprocess.run(["identify", "-format", "%k", file], check=True, capture_output=True).stdout)
         if colors < 200:
@@ -120,23 +122,33 @@ class Studio:
         return file
 
 
-def compare(shot, name, part=WHOLE):
-    """A part of a screenshot (left, top, width, height) against a reference picture of it: glyphs and lines are the same
-    everywhere, so few pixels may differ visibly. Where LUMINIST_NEW_REFERENCES is set the part becomes the reference, in
-    few colours; look at it before it is committed."""
+def differing_pixels(shot, part, reference):
+    """How many pixels of a part of a screenshot (left, top, width, height) differ visibly from a reference picture."""
     left, top, width, height = part
     cut = shot.with_name(f"{shot.stem}.part.png")
     subprocess.run(["convert", shot, "-crop", f"{width}x{height}+{left}+{top}", "+repage", cut], check=True)
-    reference = ROOT / "tests" / "app" / "golden" / f"{name}.png"
     if os.environ.get("LUMINIST_NEW_REFERENCES"):
         subprocess.run(["convert", cut, "+dither", "-colors", "255", "-strip", f"PNG8:{reference}"], check=True)
     if not reference.exists():
         raise Fault(f"no reference {reference}; {cut} is the candidate")
     words = ["compare", "-metric", "AE", "-fuzz", "4%", reference, cut, "null:"]
-    answer = subprocess.run(words, check=False, capture_output=True, text=True)
-    differing = float(answer.stderr.split()[0])
-    if not differing <= LARGEST_DIFFERENCE * width * height:
-        raise Fault(f"{cut} differs from {reference} in {differing:.0f} of {width * height} pixels")
+    return float(subprocess.run(words, check=False, capture_output=True, text=True).stderr.split()[0])
+
+
+def compare(studio, name, part=WHOLE):
+    """Waits until a part of the window is as its reference picture is: glyphs and lines are the same everywhere, so few
+    pixels may differ visibly. Where LUMINIST_NEW_REFERENCES is set the part becomes the reference, in few colours; look
+    at it before it is committed."""
+    reference = ROOT / "tests" / "app" / "golden" / f"{name}.png"
+    if os.environ.get("LUMINIST_NEW_REFERENCES"):
+        time.sleep(4)
+    end = time.monotonic() + PATIENCE / 4
+    shot = studio.shot(name)
+    while (differing := differing_pixels(shot, part, reference)) > LARGEST_DIFFERENCE * part[2] * part[3]:
+        if time.monotonic() > end:
+            raise Fault(f"{shot} differs from {reference} in {differing:.0f} of {part[2] * part[3]} pixels")
+        time.sleep(1)
+        studio.retake(shot)
 
 
 def records(project):

@@ -65,17 +65,17 @@ def compare_panels(studio):
     for name, x in TABS.items():
         studio.click(x, 42)
         park(studio)
-        compare(studio.shot(f"tab_{name}"), f"tab_{name}", RIGHT_PANEL)
+        compare(studio, f"tab_{name}", RIGHT_PANEL)
     studio.click(*TAB_LIGHTS)
     for name, (x, part) in MENUS.items():
         studio.click(x, 12)
         park(studio)
-        compare(studio.shot(f"menu_{name}"), f"menu_{name}", part)
+        compare(studio, f"menu_{name}", part)
         studio.do("key", "Escape")
         time.sleep(1)
     studio.key("question")
     park(studio)
-    compare(studio.shot("keys"), "keys", KEYS)
+    compare(studio, "keys", KEYS)
     studio.do("key", "Escape")
     time.sleep(1)
 
@@ -89,17 +89,17 @@ def compare_light(studio, project):
     wait_for("a light is added", lambda: count(project, "Add light") == 1)
     time.sleep(2)
     park(studio)
-    compare(studio.shot("light_added"), "light_added", RIGHT_PANEL)
+    compare(studio, "light_added", RIGHT_PANEL)
     studio.click(*HOLDS)
     park(studio)
-    compare(studio.shot("light_holds"), "light_holds", RIGHT_PANEL)
+    compare(studio, "light_holds", RIGHT_PANEL)
     studio.do("key", "Escape")
 
 
 def paint_and_accept(studio):
     project = kept_session(studio)
     ready(studio)
-    compare(studio.shot("open"), "open")
+    compare(studio, "open")
     compare_panels(studio)
     strokes = [[(0.38, 0.33), (0.40, 0.50), (0.47, 0.40), (0.45, 0.22), (0.45, 0.60)], [(0.51, 0.70), (0.56, 0.74)],
                [(0.77, 0.73), (0.82, 0.77)]]
@@ -148,19 +148,31 @@ def keep_the_list(studio, project):
         studio.click(1000, 97)  # the copy, or the new name, was selected and is gone
 
 
+def differing_in(one, other):
+    words = ["compare", "-metric", "AE", "-fuzz", "4%", one, other, "null:"]
+    return int(float(subprocess.run(words, check=False, capture_output=True, text=True).stderr.split()[0]))
+
+
+def stand_still(studio, name):
+    """A screenshot of a window in which nothing changes any more, not even what says that it works."""
+    def stands():
+        before = studio.shot(name)
+        time.sleep(2)
+        return differing_in(before, studio.shot(name)) < 10
+
+    wait_for("the window stands still", stands)
+    return studio.shot(name)
+
+
 def close_menus_by_escape(studio):
     studio.do("mousemove", 640, 707)
-    time.sleep(1)
-    before = studio.shot("no_menu")
+    before = stand_still(studio, "no_menu")
     studio.click(23, 12)
-    opened = studio.shot("file_menu")
+    opened = stand_still(studio, "file_menu")
     studio.do("mousemove", 640, 707)
     studio.do("key", "Escape")
-    time.sleep(1)
-    closed = studio.shot("menu_closed")
-    differing = [int(float(subprocess.run(
-        ["compare", "-metric", "AE", "-fuzz", "4%", before, shot, "null:"], check=False, capture_output=True,
-        text=True).stderr.split()[0])) for shot in (opened, closed)]
+    closed = stand_still(studio, "menu_closed")
+    differing = [differing_in(before, shot) for shot in (opened, closed)]
     if not differing[0] > 5000 or differing[1] > 1500:
         raise Fault(f"a menu differs in {differing[0]} pixels, and after Esc in {differing[1]}")
 
