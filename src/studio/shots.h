@@ -38,10 +38,10 @@ class Shots {
   /// One rig for the paint of several frames: the weighted mean of their errors. What it finds is the session's
   /// proposal, with what became of each frame in Solved::pictures; accepting it answers the paint of all of them. The
   /// style and the locks are the session's. What has keys stays as they say, in each frame what it is there; the rest
-  /// is what is found. judge: each frame's strokes, unless watch stopped the solve. errors kUsage: fewer than two
-  /// frames, one twice, a weight that is not above zero, lights of the scene that move; kNothingToDo: nothing painted
-  /// in one of them, all that may change has keys; SharedSolve's. cost a stage for each frame besides the session's own
-  /// where something moves; the solve.
+  /// is found. judge: each frame's strokes, unless watch stopped the solve.
+  /// errors kUsage: fewer than two frames, one twice, a weight that is not above zero, lights of the scene that move;
+  /// kNothingToDo: nothing painted in one of them, all that may change has keys; SharedSolve's.
+  /// cost a stage for each frame besides the session's own where something moves; the solve.
   Result<void> solve(std::span<const FrameChoice> frames, const SolveOptions& options, bool judge,
                      const Session::SolveWatch& watch);
 
