@@ -34,7 +34,8 @@ struct ConvergencePoint {
 };
 
 struct SolveReport {
-  double epsilon_start = std::numeric_limits<double>::infinity();  ///< infinite until the start was compared
+  /// Infinite until the start was compared. Both are told anew once estimates are compared more exactly (refinement.h).
+  double epsilon_start = std::numeric_limits<double>::infinity();
   double epsilon = std::numeric_limits<double>::infinity();
   int evals = 0;                    ///< full pictures compared
   double render_equivalents = 0.0;  ///< all work over that of one full picture of the starting rig
