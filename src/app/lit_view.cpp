@@ -32,7 +32,7 @@ void LitView::ask_solid(Desk& desk) {
   waiting_ = true;
   asked_ = {};
   answer_ = std::make_shared<Answer>();
-  desk.studio->post("read the scene", [answer = answer_](Workbench& bench) -> Result<void> {
+  desk.studio->post_patiently("read the scene", [answer = answer_](Workbench& bench) -> Result<void> {
     if (!bench.has_session()) return {};
     auto view = bench.session().view().from_anywhere();
     const std::lock_guard lock(answer->mutex);
@@ -52,7 +52,7 @@ void LitView::ask(Desk& desk, Wish wish) {
   asked_ = wish;
   answer_ = std::make_shared<Answer>();
   // Only looked at: whatever is under way in the session, a slider that is held as well, goes on.
-  desk.studio->post("light the view", [answer = answer_, wish](Workbench& bench) -> Result<void> {
+  desk.studio->post_patiently("light the view", [answer = answer_, wish](Workbench& bench) -> Result<void> {
     if (!bench.has_session()) return {};
     const auto picture = [&]() -> Result<Image> {
       LUM_TRY(FreeView * view, bench.session().view().from_anywhere());

@@ -98,7 +98,7 @@ void Window::install_callbacks() {
     of(handle).add({HandEvent::Kind::kMove, {}, 0, 0, 0.0F, 1.0F});
   });
   glfwSetMouseButtonCallback(handle_, [](GLFWwindow* handle, int button, int action, int) {
-    of(handle).buttons_.push_back({button, action});
+    of(handle).buttons_.push_back({button, action, of(handle).pointer_});
     const auto kind = action == GLFW_PRESS ? HandEvent::Kind::kPress : HandEvent::Kind::kRelease;
     of(handle).add({kind, {}, button, 0, 0.0F, 1.0F});
   });
@@ -153,13 +153,17 @@ void Window::set_title(const std::string& title) {
   glfwSetWindowTitle(handle_, title.c_str());
 }
 
-/// A press counts for what was hovered in a frame before it, so one that came together with a move waits for the next.
-/// ImGui looks at buttons once a frame: of one that went down and up since, or twice, each change has a frame.
+/// A press counts for what was hovered in a frame before it: one that came together with a move waits for one frame, in
+/// which the pointer is where it was pressed. A release never waits for the hand to rest. ImGui looks at buttons once a
+/// frame: of one that went down and up since, or twice, each change has a frame.
 void Window::pass_on_buttons() {
   const bool moved = std::exchange(framed_, pointer_) != pointer_;
+  pressed_at_.reset();
   if (buttons_.empty()) return;
   any_event_ = true;
-  if (moved) return;
+  if (buttons_.front().action == GLFW_PRESS) pressed_at_ = buttons_.front().at;
+  if (moved && pressed_at_ && !std::exchange(waited_, true)) return;
+  waited_ = false;
   std::vector<int> turned;
   std::size_t next = 0;
   for (; next < buttons_.size(); ++next) {
@@ -192,6 +196,7 @@ void Window::begin_frame() {
   ImGui_ImplOpenGL3_NewFrame();
   ImGui_ImplGlfw_NewFrame();
   std::copy(down_.begin(), down_.end(), ImGui::GetIO().MouseDown);  // not as they are by now
+  if (pressed_at_) ImGui::GetIO().MousePos = {pressed_at_->x, pressed_at_->y};
   ImGui::NewFrame();
 }
 

@@ -2,6 +2,7 @@
 // app/window.h -- a window with a context of its own for what is drawn on it, and every event of the hand.
 #include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -62,9 +63,12 @@ class Window {
   struct Button {
     int button = 0;
     int action = 0;
+    Vec2 at{0.0F};  ///< where the pointer was
   };
-  std::vector<Button> buttons_;  ///< not told to ImGui yet
-  std::array<bool, 5> down_{};   ///< buttons, as ImGui was told
+  std::vector<Button> buttons_;     ///< not told to ImGui yet
+  bool waited_ = false;             ///< the first of them, for a frame
+  std::optional<Vec2> pressed_at_;  ///< where ImGui is to see the pointer in this frame
+  std::array<bool, 5> down_{};      ///< buttons, as ImGui was told
   struct KeyChange {
     int key = 0;
     int code = 0;

@@ -56,6 +56,13 @@ Image stacked(const std::vector<Image>& pictures) {
   return all;
 }
 
+/// What a picture is compared by is not smoothed, and nothing is held back.
+void as_estimated(ParamBlock& style) {
+  for (const char* role : {"clamp", "denoise"}) {
+    if (const auto param = style.schema().by_role(role)) style.set(*param, 0, 0.0);
+  }
+}
+
 }  // namespace
 
 Result<std::unique_ptr<Views>> Views::create(std::vector<View> views) {
@@ -169,24 +176,30 @@ bool Views::estimates() const {
 }
 
 Result<Image> Views::render(const ParamState& joint, const RenderOptions& options) {
+  return pictures(joint, options, false);
+}
+
+Result<Image> Views::pictures(const ParamState& joint, const RenderOptions& options, bool compared) {
   std::vector<Image> pictures;
   for (int view = 0; view < count(); ++view) {
     Renderer& renderer = *views_[static_cast<std::size_t>(view)].renderer;
-    LUM_TRY(const Image picture, renderer.render(state_of(joint, view), options));
+    ParamState state = state_of(joint, view);
+    if (compared && renderer.estimates()) as_estimated(state.style);
+    LUM_TRY(const Image picture, renderer.render(state, options));
     pictures.push_back(as_compared(picture, renderer.style().metric));
   }
   return stacked(pictures);
 }
 
 Result<double> Views::error(const ParamState& joint, const Target& target) {
-  LUM_TRY(const Image picture, render(joint, {}));
+  LUM_TRY(const Image picture, pictures(joint, {}, true));
   return picture_error(picture, target, style_.metric);
 }
 
 Result<double> Views::error(const ParamState& joint, const Target& target, std::span<const int> moving) {
   RenderOptions options;
   options.moving = moving;
-  LUM_TRY(const Image picture, render(joint, options));
+  LUM_TRY(const Image picture, pictures(joint, options, true));
   return picture_error(picture, target, style_.metric);
 }
 

@@ -65,6 +65,7 @@ class Views final : public Renderer {
     std::vector<std::size_t> place;
   };
   explicit Views(std::vector<View> views) : views_(std::move(views)) {}
+  Result<Image> pictures(const ParamState& joint, const RenderOptions& options, bool compared);
   Result<void> join_styles();
   void join_surfaces();
   void join_targets();

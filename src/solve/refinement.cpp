@@ -15,6 +15,7 @@ constexpr int kRounds = 2;
 constexpr int kMorePaths = 4;         // times those of the round before
 constexpr int kMostPaths = 256;       // a pixel
 constexpr int kPixels = 3000;         // that a descent looks at
+constexpr int kMostWork = 6'000'000;  // paths of a batch of slopes
 constexpr int kIterations = 4;        // batches of slopes
 constexpr int kJudges = 2;            // times the user's paths, for whole pictures
 constexpr double kWorthwhile = 0.01;  // of what was gained so far: a round that gains less was the last
@@ -78,7 +79,14 @@ Result<void> Refinement::prepare() {
   const int given = std::max(1, static_cast<int>(start_.style.get(params_.kept)));
   int paths = given;
   for (int round = 0; round <= round_; ++round) paths *= kMorePaths;
-  const ParamState state = with_paths(progress_->best(), std::clamp(paths, given, std::max(given, kMostPaths)), false);
+  // A batch of slopes is not interrupted: many numbers are looked at along fewer paths.
+  const int numbers = UnitMap::create(std::as_const(start_).blocks(), renderer_->frame()).dofs();
+  paths = std::min({paths, kMostPaths, kMostWork / (kPixels * std::max(1, numbers))});
+  if (paths <= given) {
+    phase_ = Phase::kDone;
+    return {};
+  }
+  const ParamState state = with_paths(progress_->best(), paths, false);
   const StyleMetric& metric = renderer_->style().metric;
   Target seen;
   if (metric.blur > 0.0F) seen = as_compared(*target_, metric);
@@ -121,10 +129,16 @@ void Refinement::end_round() {
   judged_.clear();
   descent_.reset();
   progress_->compare_anew(start, best);
-  if (found < best) progress_->improve(found_, found);
+  if (found < std::min(best, start)) {
+    progress_->improve(found_, found);
+  } else if (start < best) {
+    progress_->improve(start_, start);  // what the fewer paths showed as a gain was their noise
+  }
   ++round_;
-  const bool worthwhile = best - found > kWorthwhile * (start - found);
-  phase_ = worthwhile && round_ < kRounds && progress_->running() ? Phase::kPrepare : Phase::kDone;
+  const bool worthwhile = found < best && best - found > kWorthwhile * (start - found);
+  const bool affordable = progress_->options().max_evals - progress_->report().evals >= kPictures;
+  const bool more = worthwhile && affordable && round_ < kRounds && progress_->running();
+  phase_ = more ? Phase::kPrepare : Phase::kDone;
 }
 
 Result<bool> Refinement::step() {

@@ -20,6 +20,7 @@ namespace luminist {
 ///         Glasserman and Yao 1992.
 class Refinement final : public Solver {
  public:
+  static constexpr int kPictures = 3;  ///< that a round compares
   /// Null for a renderer that does not estimate, for a style without those parameters, and where only colours turn:
   /// they are averages over all samples as they are. start: of the whole solve, whose error is told anew. edges: as for
   /// CellSampler.

@@ -87,7 +87,8 @@ class SolveSession::Impl {
   void end_of_solver() {
     const SolveReport& report = progress_.report();
     const bool automatic = progress_.options().solver == SolverKind::kAuto;
-    const bool in_vain = report.epsilon > kInVain * report.epsilon_start;
+    const bool refined = renderer_->estimates() && !start_;  // and the simplex would compare other paths
+    const bool in_vain = !refined && report.epsilon > kInVain * report.epsilon_start;
     if (automatic && !by_simplex_ && renderer_->style().metric.blur > 0.0F && in_vain) {
       use_simplex({.size = kBlurredSimplexSize, .restarts = 2, .restart_gain = 0.01});
       return;
@@ -101,8 +102,7 @@ class SolveSession::Impl {
 
   /// Null where there is nothing to refine, or it was done.
   std::unique_ptr<Solver> refinement() {
-    constexpr int kPictures = 3;  // that it compares at least
-    if (!start_ || progress_.options().max_evals - progress_.report().evals < kPictures) return nullptr;
+    if (!start_ || progress_.options().max_evals - progress_.report().evals < Refinement::kPictures) return nullptr;
     ParamState start = *std::exchange(start_, std::nullopt);
     return Refinement::create(*renderer_, target_, progress_, std::move(start), edges_);
   }

@@ -75,7 +75,7 @@ LightRig found_at(LightRig found, const LightRig& given, double frame) {
 }
 
 Result<void> check_shared(const ParamState& given, const LightRig& shared, const SceneFrame& frame) {
-  if (!check_free(given, frame) || check_free({shared, given.style}, frame)) return {};
+  if (!check_free(given, frame) || check_free({shared, given.style, given.materials}, frame)) return {};
   return Error{ErrorKind::kNothingToDo, "all that may change has keys, which say what it is in each frame", "", "keys",
                "unlock something without keys that the frames share, or solve one frame after the other"};
 }
@@ -170,7 +170,9 @@ Result<void> Shots::solve(std::span<const FrameChoice> frames, const SolveOption
     stopped = more && watch && !watch(solve.report());
     if (!look || !(solve.report().epsilon < shown)) continue;
     shown = solve.report().epsilon;
-    LUM_TRY_VOID(look(solve.state(here)));
+    ParamState seen = solve.state(here);
+    seen.rig = found_at(std::move(seen.rig), session.state_.rig, session.shot_.frame);
+    LUM_TRY_VOID(look(seen));
   }
   if (stopped) solve.stop();
   LUM_TRY(const Target* target, session.target());

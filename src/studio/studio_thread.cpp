@@ -45,7 +45,7 @@ StudioThread::~StudioThread() {
     const std::lock_guard lock(mutex_);
     ending_ = true;
   }
-  cancelled_ = true;
+  ++cancels_;
   wake_.notify_one();
   thread_.join();
 }
@@ -75,6 +75,10 @@ void StudioThread::push(Entry entry) {
 
 void StudioThread::post(std::string label, Job job) {
   push({Entry::Kind::kJob, std::move(label), std::move(job), {}, {}, 0.0});
+}
+
+void StudioThread::post_patiently(std::string label, Job job) {
+  push({Entry::Kind::kJob, std::move(label), std::move(job), {}, {}, 0.0, true});
 }
 
 void StudioThread::act(std::string label, Workbench::Task task, Workbench::After after) {
@@ -138,9 +142,9 @@ void StudioThread::want_strip(int pictures, int step) {
 }
 
 void StudioThread::cancel() {
-  cancelled_ = true;
+  ++cancels_;
   post("stop", [this](Workbench& bench) -> Result<void> {
-    cancelled_ = false;
+    --cancels_;
     if (bench.has_session()) bench.stop();
     return {};
   });
@@ -152,13 +156,14 @@ bool StudioThread::progress(std::string label) {
     doing_ = std::move(label);
   }
   if (options_.on_change) options_.on_change();
-  return !cancelled_;
+  return !cancelled();
 }
 
 bool StudioThread::undisturbed() const {
   const std::lock_guard lock(mutex_);
-  const bool waited_for = std::ranges::any_of(queue_, [](const Entry& entry) { return !entry.label.empty(); });
-  return !cancelled_ && !waited_for;
+  const bool waited_for =
+      std::ranges::any_of(queue_, [](const Entry& entry) { return !entry.label.empty() && !entry.patient; });
+  return !cancelled() && !waited_for;
 }
 
 void StudioThread::show(std::shared_ptr<const Image> picture, std::shared_ptr<const ParamState> lights) {

@@ -48,6 +48,8 @@ class StudioThread {
 
   /// label says what is done, for a line that tells what keeps the lighter waiting.
   void post(std::string label, Job job);
+  /// What only the window wants to see: nothing that is under way is given up for it.
+  void post_patiently(std::string label, Job job);
   void act(std::string label, Workbench::Task task, Workbench::After after = Workbench::After::kStay);
   void change(std::string label, Workbench::Task task, Workbench::After after = Workbench::After::kStay);
   void repaint(std::string label, Workbench::Task task);
@@ -64,7 +66,7 @@ class StudioThread {
   void want_strip(int pictures, int step);
   /// Ends what runs: a solve keeps its best; a task that asks cancelled() comes to its end.
   void cancel();
-  [[nodiscard]] bool cancelled() const { return cancelled_; }
+  [[nodiscard]] bool cancelled() const { return cancels_ > 0; }
   /// What the job that runs is at, in place of its label. returns whether to go on.
   bool progress(std::string label);
   /// Nobody waits and nothing is cancelled: a job that may as well be done later goes on.
@@ -94,6 +96,7 @@ class StudioThread {
     std::vector<StrokePoint> points;
     std::vector<std::string> assignments;
     double frame = 0.0;
+    bool patient = false;
   };
   using Clock = std::chrono::steady_clock;
 
@@ -118,7 +121,7 @@ class StudioThread {
   std::vector<StudioMessage> messages_;
   std::shared_ptr<const StudioSnapshot> latest_;
   bool ending_ = false;
-  std::atomic<bool> cancelled_ = false;
+  std::atomic<int> cancels_ = 0;  ///< asked for and not carried out yet
 
   // Of the other thread.
   std::unique_ptr<Device> device_;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <iterator>
 #include <utility>
 
 #include <fmt/format.h>
@@ -140,7 +141,10 @@ void Workbench::keep_proposal() {
   if (solved != nullptr)
     kept_.emplace(place,
                   KeptProposal{session_->shown(), solved->options, solved->report, solved->label, solved->frames});
-  if (kept_.size() > kMostKept) kept_.erase(kept_.begin());
+  if (kept_.size() > kMostKept) {  // the farthest from here goes
+    const bool first = place - std::min(place, kept_.begin()->first) > std::max(place, kept_.rbegin()->first) - place;
+    kept_.erase(first ? kept_.begin() : std::prev(kept_.end()));
+  }
 }
 
 /// The proposal that was here, or null.
@@ -228,6 +232,12 @@ void Workbench::stop() {
   if (std::exchange(solving_, false) && session_) session_->stop_solve();
   resting_ = follow_again_ = false;
   after_solve_ = {};
+  want_full_picture();
+}
+
+/// What stands still is shown at its full size.
+void Workbench::want_full_picture() {
+  if (picture_ && session_ && picture_->width != session_->shot().width) picture_.reset();
 }
 
 void Workbench::after_solve(Task task) {
@@ -237,10 +247,14 @@ void Workbench::after_solve(Task task) {
 Result<void> Workbench::judge(const std::function<bool()>& go_on) {
   LUM_TRY_VOID(need_session());
   if (std::exchange(solving_, false)) session_->stop_solve();
-  resting_ = follow_again_ = false;  // other lights would need another verdict
+  const bool followed = std::exchange(resting_, false) || follow_again_;
+  follow_again_ = false;  // other lights would need another verdict
+  want_full_picture();
   LUM_TRY_VOID(put_proposal());
-  LUM_TRY_VOID(session_->judge(go_on));
-  return {};
+  auto judged = session_->judge(go_on);
+  if (judged) return {};
+  if (judged.error().kind == ErrorKind::kCancelled) follow_again_ = followed;
+  return std::move(judged).error();
 }
 
 Result<bool> Workbench::step(std::chrono::milliseconds slice) {
@@ -249,11 +263,11 @@ Result<bool> Workbench::step(std::chrono::milliseconds slice) {
     auto more = session_->continue_solve(slice);
     if (!more || !*more) solving_ = false;
     const Task after = solving_ ? Task() : std::exchange(after_solve_, {});
-    if (more && after) LUM_TRY_VOID(after(*session_));
     unanswered_ = 0;
     constexpr std::chrono::milliseconds kBetweenPictures{200};  // a picture costs as much as several slices
     const auto now = std::chrono::steady_clock::now();
     if (!solving_ || now - solve_shown_ > kBetweenPictures) picture_.reset(), solve_shown_ = now;
+    if (more && after) LUM_TRY_VOID(after(*session_));
     return more;
   }
   RasterRenderer* raster = undisturbed_ && !quick_stages_.empty() ? session_->stage().raster : nullptr;

@@ -88,6 +88,7 @@ Result<ParamState> moved_start(const ParamState& rig, std::uint64_t seed) {
   LUM_TRY_VOID(assign(start, light + "/size", random.uniform(0.2, 1.0)));
   LUM_TRY_VOID(assign(start, light + "/intensity", random.uniform(0.5, 1.5)));
   LUM_TRY_VOID(assign(start, "style/seed", static_cast<double>(seed)));
+  LUM_TRY_VOID(assign(start, "style/clamp", 0.0));  // what is judged is exact but for noise
   for (ParamBlock* block : start.blocks()) block->set_param_locked(-1, true);
   for (const char* dof : kFree) LUM_TRY_VOID(set_locked(start, light + "/" + dof, false));
   keep_constraints(start.rig);
