@@ -92,7 +92,7 @@ class RefinementTest : public ::testing::Test {
   }
   Result<ParamState> solve(NoisyRenderer& renderer) {
     const Target target = renderer.exact().target_of(*wanted_, *start_);
-    const SolveOptions options{.solver = SolverKind::kFast, .restarts = 0};
+    const SolveOptions options{.solver = SolverKind::kFast, .max_evals = most_evals_, .restarts = 0};
     LUM_TRY(SolveSession session, SolveSession::create(renderer, renderer.with_style(*start_), target, options));
     for (bool more = true; more;) {
       LUM_TRY(more, session.step());
@@ -110,6 +110,7 @@ class RefinementTest : public ::testing::Test {
 
   std::unique_ptr<ParamState> wanted_, start_;
   SolveReport report_;
+  int most_evals_ = SolveOptions{}.max_evals;
 };
 
 TEST_F(RefinementTest, FindsWhatTheNoiseOfFewPathsHides) {
@@ -130,6 +131,24 @@ TEST_F(RefinementTest, LeavesTheUsersPathsAndTellsTheErrorsOfMore) {
   EXPECT_LT(report_.epsilon_start, few);  // noise makes every error larger, and more paths have less of it
   EXPECT_LT(report_.epsilon, report_.epsilon_start);
   EXPECT_EQ(report_.termination, Termination::kConverged);
+}
+
+TEST_F(RefinementTest, NeverEndsWorseThanItsStartNorComparesMoreThanItMay) {
+  for (std::uint64_t light = 1; light <= 3; ++light) {
+    const FakeRenderer fake(kSize, kSize);
+    wanted_->rig.lights.front() = hidden_light(fake, "key", light);
+    start_->rig = wanted_->rig;  // nothing is to be gained but noise
+    ParamBlock& params = start_->rig.lights.front().params;
+    params.set_param_locked(-1, true);
+    params.set_param_locked(*params.schema().by_role("position"), false);
+    NoisyRenderer renderer(true);
+    for (const int most : {8, 200}) {
+      most_evals_ = most;
+      LUM_ASSERT_OK([[maybe_unused]] const ParamState found, solve(renderer));
+      EXPECT_LE(report_.epsilon, report_.epsilon_start) << light;
+      EXPECT_LE(report_.evals, most) << light;
+    }
+  }
 }
 
 TEST_F(RefinementTest, HasNothingToDoWhereOnlyColoursTurn) {

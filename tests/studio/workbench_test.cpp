@@ -173,6 +173,31 @@ TEST_F(WorkbenchTest, APictureAtRestIsGivenUpWhenSomebodyWaits) {
   EXPECT_EQ(document_hash(), before);
 }
 
+TEST_F(WorkbenchTest, WhatIsStoppedIsShownWhole) {
+  Shot large = shot();
+  large.width = 400;
+  large.height = 300;
+  LUM_EXPECT_OK(bench_->open(large, folder_.path()));
+  if (!device_->info().software) GTEST_SKIP() << "elsewhere no picture is small";
+  LUM_EXPECT_OK(bench_->prepare());
+  add_dark_light();
+  const Stroke whole = light_strokes().strokes.front();
+  for (const bool judged : {false, true}) {
+    LUM_EXPECT_OK(bench_->begin_stroke({whole.brush, {whole.points.front()}}, folder_.path()));
+    LUM_EXPECT_OK(bench_->extend_stroke(std::span(whole.points).subspan(1)));
+    EXPECT_LT(look()->picture->width, 400);
+    LUM_EXPECT_OK(bench_->end_stroke());
+    if (judged) {
+      EXPECT_EQ(error_of(bench_->judge([] { return false; })).kind, ErrorKind::kCancelled);
+    } else {
+      bench_->stop();
+    }
+    EXPECT_EQ(look()->picture->width, 400) << judged;
+  }
+  LUM_ASSERT_OK(const bool more, bench_->step(milliseconds(5)));
+  EXPECT_TRUE(more) << "a verdict that was taken away lets the lights follow on";
+}
+
 TEST_F(WorkbenchTest, AnOfferThatIsTakenIsTheProposal) {
   add_dark_light();
   draw_stroke();
