@@ -71,8 +71,12 @@ void places(Desk& desk, const Light& light) {
   ImGui::TextDisabled("Stays");
   const Constraint* held =
       find(rig, light, [](const Constraint& each) { return std::holds_alternative<AtDistance>(each.rule); });
-  line(desk, "as far away as now", held, path + " at distance present from aim",
-       "It keeps its distance from what it shines at, and may go around that.");
+  const Vec3 center = desk.now->facts->bounds.center();
+  const std::string from = light.params.schema().by_role("direction")
+                               ? std::string("aim")
+                               : fmt::format("{:.5g},{:.5g},{:.5g}", center.x, center.y, center.z);
+  line(desk, "as far away as now", held, path + " at distance present from " + from,
+       "It keeps its distance from what it shines at, or from the middle of the scene, and may go around that.");
 }
 
 void others(Desk& desk, const Light& light) {

@@ -225,7 +225,7 @@ std::string rule_words(const Constraint& constraint, const SurfaceBuffer& surfac
     const std::optional<Plane> known = side_of(bounds, surface.eye, name);
     if (!known || glm::length(known->normal - plane->normal) > 1e-4F) continue;
     if (std::abs(glm::dot(known->point - plane->point, known->normal)) > small) continue;
-    return rule.substr(0, rule.find("plane ")) + name;
+    return rule.substr(0, rule.rfind("plane ")) + name;
   }
   return rule;
 }

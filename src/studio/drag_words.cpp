@@ -15,7 +15,9 @@ constexpr float kUnlit = 0.05F;  // of the brightest spot: the light does not co
 /// What would bring the highlight nearer.
 std::string advice(const Session& session, const DragOutcome& outcome, const std::string& light) {
   const auto& constraints = session.shown().rig.constraints;
-  const auto held = std::ranges::find(constraints, light, &Constraint::light);
+  const auto held = std::ranges::find_if(constraints, [&](const Constraint& each) {
+    return each.light == light && !std::holds_alternative<SameColor>(each.rule);
+  });
   if (held != constraints.end()) {
     const Stage& stage = session.stage();
     return fmt::format("it stays {}; take that from it, or drag where it can reach",
