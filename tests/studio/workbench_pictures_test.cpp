@@ -1,0 +1,86 @@
+// Pictures that are small while the hand moves, and whole when it rests.
+#include "studio/workbench.h"
+#include "studio/workbench_fixture.h"
+
+namespace luminist {
+namespace {
+
+using std::chrono::milliseconds;
+
+TEST_F(WorkbenchTest, ASmallerPictureFollowsTheBrushAndAFullOneComesWhenItRests) {
+  Shot large = shot();
+  large.width = 400;  // more than QuickStage::helps() leaves alone
+  large.height = 300;
+  LUM_EXPECT_OK(bench_->open(large, folder_.path()));
+  ASSERT_TRUE(device_->info().software || !QuickStage::helps(large)) << "the test wants software GL";
+  LUM_EXPECT_OK(bench_->prepare());
+  add_dark_light();
+  LUM_EXPECT_OK(bench_->prepare());
+  const Stroke whole = light_strokes().strokes.front();
+  LUM_EXPECT_OK(bench_->begin_stroke({whole.brush, {whole.points.front()}}, folder_.path()));
+  LUM_EXPECT_OK(bench_->extend_stroke(std::span(whole.points).subspan(1)));
+  const auto moving = look();
+  EXPECT_LT(moving->picture->width, 400);
+  EXPECT_EQ(moving->painted->color.width, 400) << "the paint itself is never small";
+  LUM_EXPECT_OK(bench_->end_stroke());
+  EXPECT_TRUE(look()->proposal) << "what was found while the brush moved is not lost";
+  for (int i = 0; i < 5; ++i) LUM_EXPECT_OK(bench_->step(milliseconds(5)));
+  EXPECT_EQ(look()->picture->width, 400);
+}
+
+TEST_F(WorkbenchTest, APictureAtRestIsGivenUpWhenSomebodyWaits) {
+  Shot large = shot();
+  large.width = 640;  // a picture of several parts
+  large.height = 480;
+  LUM_EXPECT_OK(bench_->open(large, folder_.path()));
+  if (!device_->info().software) GTEST_SKIP() << "elsewhere a picture is quick";
+  LUM_EXPECT_OK(bench_->prepare());
+  add_dark_light();
+  const Stroke whole = light_strokes().strokes.front();
+  LUM_EXPECT_OK(bench_->begin_stroke({whole.brush, {whole.points.front()}}, folder_.path()));
+  LUM_EXPECT_OK(bench_->extend_stroke(std::span(whole.points).subspan(1)));
+  EXPECT_LT(look()->picture->width, 640);
+  LUM_EXPECT_OK(bench_->end_stroke());
+  int asked = 0;
+  bool alone = false;
+  bench_->give_way_unless([&] { return ++asked, alone; });
+  const std::string before = document_hash();
+  LUM_ASSERT_OK(const bool more, bench_->step(milliseconds(5)));
+  EXPECT_TRUE(more) << "it is to be made anew";
+  EXPECT_EQ(asked, 1) << "the first answer was enough";
+  const auto small = look();
+  EXPECT_TRUE(small->proposal) << "what the small pictures found stays";
+  EXPECT_LT(small->picture->width, 640);
+  alone = true;
+  for (int i = 0; i < 5; ++i) LUM_EXPECT_OK(bench_->step(milliseconds(5)));
+  EXPECT_EQ(look()->picture->width, 640);
+  EXPECT_EQ(document_hash(), before);
+}
+
+TEST_F(WorkbenchTest, WhatIsStoppedIsShownWhole) {
+  Shot large = shot();
+  large.width = 400;
+  large.height = 300;
+  LUM_EXPECT_OK(bench_->open(large, folder_.path()));
+  if (!device_->info().software) GTEST_SKIP() << "elsewhere no picture is small";
+  LUM_EXPECT_OK(bench_->prepare());
+  add_dark_light();
+  const Stroke whole = light_strokes().strokes.front();
+  for (const bool judged : {false, true}) {
+    LUM_EXPECT_OK(bench_->begin_stroke({whole.brush, {whole.points.front()}}, folder_.path()));
+    LUM_EXPECT_OK(bench_->extend_stroke(std::span(whole.points).subspan(1)));
+    EXPECT_LT(look()->picture->width, 400);
+    LUM_EXPECT_OK(bench_->end_stroke());
+    if (judged) {
+      EXPECT_EQ(error_of(bench_->judge([] { return false; })).kind, ErrorKind::kCancelled);
+    } else {
+      bench_->stop();
+    }
+    EXPECT_EQ(look()->picture->width, 400) << judged;
+  }
+  LUM_ASSERT_OK(const bool more, bench_->step(milliseconds(5)));
+  EXPECT_TRUE(more) << "a verdict that was taken away lets the lights follow on";
+}
+
+}  // namespace
+}  // namespace luminist
