@@ -7,6 +7,7 @@ import signal
 import subprocess
 import sys
 import time
+import tomllib
 
 SKIPPED = 77
 PATIENCE = 240  # seconds: a machine without a GPU that does other work, too
@@ -15,6 +16,7 @@ CANVAS = (278, 60, 944, 692)
 MARGIN = 12
 PICTURE = (640, 480)
 ROOT = pathlib.Path(__file__).resolve().parent.parent
+REFERENCES = ROOT / "tests" / "app" / "golden"
 LARGEST_DIFFERENCE = 0.002  # of the pixels: hinting and antialiasing of another version of the font rasterizer
 WHOLE = (0, 0, 1280, 720)
 RIGHT_PANEL = (946, 55, 334, 460)
@@ -137,16 +139,17 @@ def differing_pixels(shot, part, reference):
 
 def compare(studio, name, part=WHOLE):
     """Waits until a part of the window is as its reference picture is: glyphs and lines are the same everywhere, so few
-    pixels may differ visibly. Where LUMINIST_NEW_REFERENCES is set the part becomes the reference, in few colours; look
-    at it before it is committed."""
-    reference = ROOT / "tests" / "app" / "golden" / f"{name}.png"
+    pixels may differ visibly. references.toml says why it is as it is. Where LUMINIST_NEW_REFERENCES is set the part
+    becomes the reference, in few colours; look at it before it is committed."""
+    reference = REFERENCES / f"{name}.png"
+    reason = tomllib.loads((REFERENCES / "references.toml").read_text())[name]
     if os.environ.get("LUMINIST_NEW_REFERENCES"):
         time.sleep(4)
     end = time.monotonic() + PATIENCE / 4
     shot = studio.shot(name)
     while (differing := differing_pixels(shot, part, reference)) > LARGEST_DIFFERENCE * part[2] * part[3]:
         if time.monotonic() > end:
-            raise Fault(f"{shot} differs from {reference} in {differing:.0f} of {part[2] * part[3]} pixels")
+            raise Fault(f"{shot} differs from {reference} in {differing:.0f} of {part[2] * part[3]} pixels ({reason})")
         time.sleep(1)
         studio.retake(shot)
 

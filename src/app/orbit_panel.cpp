@@ -8,6 +8,7 @@
 #include <GLFW/glfw3.h>
 
 #include "rig/constraint.h"
+#include "rig/light_list.h"
 
 namespace luminist {
 namespace {
@@ -29,9 +30,7 @@ ParamState seen_lights(const Desk& desk, const std::vector<std::string>& turned)
   ParamState state = *desk.now->shown;
   for (const std::string& assignment : turned) static_cast<void>(set_path(state, assignment));
   if (!turned.empty()) keep_constraints(state.rig);
-  const auto alone = [&](const Light& light) { return desk.solo.contains(light.name); };
-  const bool any = std::ranges::any_of(state.rig.lights, alone);
-  for (Light& light : state.rig.lights) light.muted = light.muted || (any && !alone(light));
+  solo_lights(state.rig, {desk.solo.begin(), desk.solo.end()});
   return state;
 }
 

@@ -52,12 +52,16 @@ void dim_text(const std::string& text) {
   ImGui::PopStyleColor();
 }
 
+/// The camera that is looked through: a shot without one has the scene's first.
+std::string camera_of(const ShotFacts& facts) {
+  return facts.shot.camera.empty() && !facts.cameras.empty() ? facts.cameras.front() : facts.shot.camera;
+}
+
 }  // namespace
 
 void camera_choices(Desk& desk) {
   const ShotFacts& facts = *desk.now->facts;
-  const std::string now =
-      facts.shot.camera.empty() && !facts.cameras.empty() ? facts.cameras.front() : facts.shot.camera;
+  const std::string now = camera_of(facts);
   say_what_goes(desk);
   for (const std::string& camera : facts.cameras) {
     if (ImGui::Selectable(camera.c_str(), camera == now)) reframe(desk, camera, facts.shot.width, facts.shot.height);
@@ -82,9 +86,7 @@ void StylePanel::shot_rows(Desk& desk) {
   const Shot& shot = facts.shot;
   row_label(desk.theme, "Camera", "From where the shot is seen: a camera of the scene.");
   ImGui::SetNextItemWidth(-1.0F);
-  const std::string first = facts.cameras.empty() ? "" : facts.cameras.front();
-  const std::string now = shot.camera.empty() ? first : shot.camera;
-  if (ImGui::BeginCombo("##camera", now.c_str())) {
+  if (ImGui::BeginCombo("##camera", camera_of(facts).c_str())) {
     camera_choices(desk);
     ImGui::EndCombo();
   }

@@ -61,6 +61,15 @@ ParamBlock::ParamBlock(std::shared_ptr<const ParamSchema> schema, const SceneFra
   }
 }
 
+bool ParamBlock::at_default(int param, const SceneFrame& frame) const {
+  const ParamSpec& spec = schema()[param];
+  for (int i = 0; i < spec.components(); ++i) {
+    const double wanted = spec.stored(i, spec.default_value[static_cast<std::size_t>(i)], frame);
+    if (static_cast<float>(wanted) != static_cast<float>(get(param, i))) return false;
+  }
+  return true;
+}
+
 double ParamBlock::get(int param, int component) const {
   const ParamSpec& spec = schema()[param];
   LUM_CHECK(component >= 0 && component < spec.components(), "the component exists");

@@ -37,6 +37,9 @@ class ParamBlock {
   /// Stores the three numbers as they are; whoever sets a direction gives a unit vector.
   void set_vec3(int param, const Vec3& value);
 
+  /// Whether a parameter has the schema's default, whose lengths are scaled by the frame.
+  [[nodiscard]] bool at_default(int param, const SceneFrame& frame) const;
+
   /// Whether it is no degree of freedom at present: locked by hand, or following another block.
   [[nodiscard]] bool locked(int dof) const { return locked_by_hand(dof) || following(dof); }
   [[nodiscard]] bool locked_by_hand(int dof) const { return locked_[static_cast<std::size_t>(dof)]; }

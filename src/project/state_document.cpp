@@ -33,14 +33,6 @@ void write_block(const std::string& path, const ParamBlock& block, Document& doc
   }
 }
 
-bool is_default(const ParamBlock& block, int param) {
-  for (int c = 0; c < block.schema()[param].components(); ++c) {
-    const auto own = static_cast<float>(block.schema()[param].default_value[static_cast<std::size_t>(c)]);
-    if (static_cast<float>(block.get(param, c)) != own) return false;
-  }
-  return true;
-}
-
 bool locked_by_default(const ParamBlock& block, const ParamSpec& spec) {
   for (int dof = 0; dof < spec.dofs(); ++dof) {
     if (block.locked_by_hand(spec.first_dof + dof) == spec.solve) return false;
@@ -54,7 +46,7 @@ void write_material(const std::string& path, const ParamBlock& block, Document& 
   write_block(path, block, document);
   for (int param = 0; param < block.schema().size(); ++param) {
     const ParamSpec& spec = block.schema()[param];
-    if (is_default(block, param)) document.set(path + "/" + spec.name, "");
+    if (block.at_default(param, {})) document.set(path + "/" + spec.name, "");
     if (locked_by_default(block, spec)) document.set(fmt::format("locks/{}/{}", path, spec.name), "");
   }
 }

@@ -25,9 +25,8 @@ namespace luminist {
 ///   line
 ///             is a LINE_... of shaders/lib/surface.glsl
 ///   albedo    rgb diffuse reflectance = base colour * (1 - metallic), w = roughness
-///   specular  rgb reflectance at normal incidence = mix(0.04 specular, base colour, metallic), w = the share of it
-///   that
-///             has no colour, 0.04 specular (1 - metallic)
+///   specular  rgb reflectance at normal incidence = mix(0.04 specular, base colour, metallic),
+///             w = the share of it that has no colour = 0.04 specular (1 - metallic)
 ///   emissive  rgb radiance, w = 0
 ///   stroke    xy place on the unwrapped mesh, u along the strokes, in scene radii; zw how much u and v change over a
 ///             picture height; only where extras ask for it

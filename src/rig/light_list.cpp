@@ -87,4 +87,10 @@ Result<void> group_lights(LightRig& rig, const std::vector<std::string>& names, 
   return {};
 }
 
+void solo_lights(LightRig& rig, const std::vector<std::string>& names) {
+  const auto heard = [&](const Light& light) { return std::ranges::find(names, light.name) != names.end(); };
+  if (std::ranges::none_of(rig.lights, heard)) return;
+  for (Light& light : rig.lights) light.muted = light.muted || !heard(light);
+}
+
 }  // namespace luminist

@@ -19,4 +19,7 @@ Result<std::string> duplicate_light(LightRig& rig, const std::string& name, cons
 /// is in it, so that this renames one and dissolves one, too. errors kUsage: no such light or group, a bad name.
 Result<void> group_lights(LightRig& rig, const std::vector<std::string>& names, const std::string& group);
 
+/// Mutes all lights but these; none of them is there: nothing is muted.
+void solo_lights(LightRig& rig, const std::vector<std::string>& names);
+
 }  // namespace luminist

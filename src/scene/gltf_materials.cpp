@@ -131,9 +131,8 @@ float specular_factor(const tinygltf::Material& material) {
   const tinygltf::Value& color = extension->second.Get("specularColorFactor");
   double sum = 0.0;
   for (int c = 0; c < 3; ++c) {
-    constexpr double kMirror = 25.0;  // of the 0.04 that everything reflects which is no metal
     const tinygltf::Value value = c < static_cast<int>(color.ArrayLen()) ? color.Get(c) : tinygltf::Value(1.0);
-    sum += value.IsNumber() ? std::clamp(value.GetNumberAsDouble(), 0.0, kMirror) : 1.0;
+    sum += value.IsNumber() ? std::clamp(value.GetNumberAsDouble(), 0.0, 1.0 / kDielectric) : 1.0;
   }
   return static_cast<float>(factor * sum / 3.0);
 }

@@ -19,12 +19,15 @@ struct Texture {
 };
 
 /// Factors multiply textures; a texture index of -1 means none.
+/// What everything that is no metal reflects head-on (glTF 2.0, appendix B).
+inline constexpr float kDielectric = 0.04F;
+
 struct Material {
   std::string name;
   Vec3 base_color{0.8F};  ///< linear
   float metallic = 0.0F;
   float roughness = 0.5F;
-  float specular = 1.0F;  ///< of the 4 % that what is no metal reflects head-on (KHR_materials_specular); may exceed 1
+  float specular = 1.0F;  ///< factor of kDielectric (KHR_materials_specular); may exceed 1
   Vec3 emissive{0.0F};
   float normal_scale = 1.0F;
   int base_color_texture = -1;

@@ -15,7 +15,6 @@ namespace luminist {
 namespace {
 
 constexpr const char* kManifest = "shaders/material.toml";
-constexpr float kDielectric = 0.04F;  // reflectance of everything that is no metal (glTF 2.0, appendix B)
 
 /// The parameter of a role; the schema was checked when it was read.
 int param_of(const ParamSchema& schema, std::string_view role) {

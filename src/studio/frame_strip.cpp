@@ -14,8 +14,8 @@ namespace luminist {
 namespace {
 
 constexpr double kPixels = 40'000.0;      // about 230 x 170: enough to see light by, a tenth of a shot's work
-constexpr double kPathPixels = 14'000.0;  // about 137 x 102, for a picture in a third of a second on two cores...
-constexpr double kPathSamples = 6.0;      // ...of so many paths a pixel
+constexpr double kPathPixels = 14'000.0;  // about 137 x 102; paths cost more
+constexpr double kPathSamples = 6.0;      // paths a pixel
 constexpr int kStripHeight = 64;          // pixels
 constexpr std::size_t kFewestStages = 4;
 

@@ -79,9 +79,12 @@ Result<void> write_results(const Results& results, const std::filesystem::path& 
   LUM_TRY_VOID(write_file_atomic(folder / "rig.toml", results.rig));
   LUM_TRY_VOID(write_file_atomic(folder / "style.json", results.style_params));
   const std::filesystem::path materials = folder / "materials.json";
-  std::error_code none;
-  if (results.materials.empty()) std::filesystem::remove(materials, none);  // an earlier solve may have turned some
-  if (!results.materials.empty()) LUM_TRY_VOID(write_file_atomic(materials, results.materials));
+  if (results.materials.empty()) {
+    std::error_code none;
+    std::filesystem::remove(materials, none);  // an earlier solve may have turned some
+  } else {
+    LUM_TRY_VOID(write_file_atomic(materials, results.materials));
+  }
   // A few bright pixels must not darken the rest of the map.
   const float white = std::max(quantile(results.residual, 0.995), 1e-6F);
   const Image importance = importance_picture(results.importance);

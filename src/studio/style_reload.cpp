@@ -14,14 +14,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool same_default(const ParamSpec& spec, const ParamBlock& block, int param, const SceneFrame& frame) {
-  for (int i = 0; i < spec.components(); ++i) {
-    const double wanted = spec.stored(i, spec.default_value[static_cast<std::size_t>(i)], frame);
-    if (static_cast<float>(wanted) != static_cast<float>(block.get(param, i))) return false;
-  }
-  return true;
-}
-
 void carry_over(const ParamBlock& before, ParamBlock& now, const SceneFrame& frame) {
   for (int param = 0; param < now.schema().size(); ++param) {
     const ParamSpec& spec = now.schema()[param];
@@ -32,7 +24,7 @@ void carry_over(const ParamBlock& before, ParamBlock& now, const SceneFrame& fra
     for (int i = 0; i < spec.dofs(); ++i) {
       now.set_locked(spec.first_dof + i, before.locked_by_hand(was.first_dof + i));
     }
-    if (same_default(was, before, *old, frame)) continue;
+    if (before.at_default(*old, frame)) continue;
     for (int i = 0; i < spec.components(); ++i) now.set(param, i, before.get(*old, i));
   }
 }

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "project/layer_document.h"
+#include "rig/light_list.h"
 #include "studio/paint_layers.h"
 #include "studio/workbench.h"
 
@@ -77,12 +78,7 @@ Result<void> Workbench::refresh_pictures(StudioSnapshot& next) {
   if (!picture_) {
     if (trial_ || !solo_.empty()) {
       ParamState shown = shown_lights();
-      const bool any =
-          std::ranges::any_of(solo_, [&](const std::string& name) { return shown.rig.find(name) != nullptr; });
-      for (Light& light : shown.rig.lights) {
-        const bool heard = !any || std::find(solo_.begin(), solo_.end(), light.name) != solo_.end();
-        light.muted = light.muted || !heard;
-      }
+      solo_lights(shown.rig, solo_);
       LUM_TRY(Image picture, session_->stage().renderer->render(shown));
       picture_ = std::make_shared<const Image>(std::move(picture));
     } else if (shows_quick()) {

@@ -7,13 +7,10 @@
 
 #include <glm/matrix.hpp>
 
-#include "base/check.h"
-
 namespace luminist {
 namespace {
 
-constexpr float kDielectric = 0.04F;  // reflectance of everything that is no metal (glTF 2.0, appendix B)
-constexpr float kClearance = 1e-5F;   // of the scene's extent
+constexpr float kClearance = 1e-5F;  // of the scene's extent
 
 template <class T>
 T between(const std::vector<T>& values, const std::array<std::uint32_t, 3>& corners, float u, float v) {

@@ -26,8 +26,8 @@ class SceneSurfaces {
  public:
   explicit SceneSurfaces(Scene scene);
 
-  /// Materials are as these say from now on; turns: one per material of the
-  /// scene; those that have none stay as they are. Not beside other calls.
+  /// Materials are as these say from now on; turns: one per material of the scene; those that have none stay as they
+  /// are. Not beside other calls.
   void turn(std::vector<MaterialTurn> turns);
 
   /// direction: unit, of the ray that hit. cost three corners and up to four texture lookups.

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "verdict/lock_probe.h"
 #include "verdict/quick_search.h"
 
 namespace luminist {
@@ -12,13 +13,6 @@ bool param_free(const ParamBlock& block, int param) {
     if (block.locked(spec.first_dof + c)) return false;
   }
   return spec.dofs() > 0;
-}
-
-bool any_free(const ParamBlock& block) {
-  for (int dof = 0; dof < block.schema().dofs(); ++dof) {
-    if (!block.locked(dof)) return true;
-  }
-  return false;
 }
 
 ParamState only_block(const ParamState& state, int block) {

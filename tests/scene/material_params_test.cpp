@@ -150,12 +150,7 @@ TEST_F(MaterialParamsTest, AMirrorOfTheSceneCanBecomeRough) {
 /// A jug whose base colour is a texture of two texels.
 Scene textured_scene() {
   Scene scene;
-  Mesh mesh;
-  mesh.positions = tetrahedron_points();
-  mesh.triangles = tetrahedron_faces();
-  for (const Vec3& p : mesh.positions) mesh.uvs.emplace_back(p.x, p.y);
-  compute_normals(mesh, 0.5);
-  scene.meshes = {mesh};
+  scene.meshes = {tetrahedron_with_uvs()};
   Image pattern(2, 1, 3, 0.25F);
   pattern.set_rgb(1, Vec3(0.75F));
   scene.textures = {{"pattern", pattern, true, true}};

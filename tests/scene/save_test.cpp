@@ -10,11 +10,7 @@ namespace {
 /// One of everything.
 Scene rich_scene() {
   Scene scene;
-  Mesh mesh;
-  mesh.positions = tetrahedron_points();
-  mesh.triangles = tetrahedron_faces();
-  for (const Vec3& p : mesh.positions) mesh.uvs.emplace_back(p.x, p.y);
-  compute_normals(mesh, 0.5);
+  Mesh mesh = tetrahedron_with_uvs();
   compute_tangents(mesh);
   scene.meshes.push_back(mesh);
   Image color(4, 2, 3), data(2, 2, 3, 0.5F);

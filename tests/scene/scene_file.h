@@ -84,4 +84,14 @@ inline void expect_sound(const Scene& scene) {
   }
 }
 
+/// With normals at its edges.
+inline Mesh tetrahedron_with_uvs() {
+  Mesh mesh;
+  mesh.positions = tetrahedron_points();
+  mesh.triangles = tetrahedron_faces();
+  for (const Vec3& p : mesh.positions) mesh.uvs.emplace_back(p.x, p.y);
+  compute_normals(mesh, 0.5);
+  return mesh;
+}
+
 }  // namespace luminist

@@ -2,6 +2,7 @@
 
 #include <fstream>
 
+#include "studio/moving_ball.h"
 #include "support/ball_scene.h"
 #include "support/fixtures.h"
 
@@ -14,14 +15,7 @@ class CarriedPaintTest : public testing::Test {
   void SetUp() override {
     std::ofstream(folder_.file("ball.obj")) << ball_obj();
     std::ofstream(folder_.file("ball.mtl")) << ball_material();
-    LUM_ASSERT_OK(Scene scene, load_scene(folder_.file("ball.obj"), {}, diagnostics_));
-    scene.animation.nodes.emplace_back().name = "lift";
-    Track rise;
-    rise.times = {0.0F, 1.0F};
-    rise.values = {Vec4(0.0F), Vec4(0.0F, 2.0F, 0.0F, 0.0F)};
-    scene.animation.tracks.push_back(std::move(rise));
-    scene.objects[0].mount.node = 0;
-    hang(scene);
+    LUM_ASSERT_OK(Scene scene, moving_ball(folder_.file("ball.obj"), {0.0F, 2.0F, 0.0F}, diagnostics_));
     scene.cameras.resize(1);
     scene.cameras[0] = {.name = "front"};
     scene.cameras[0].world_from_camera[3] = Vec4(0.0F, 2.0F, 9.0F, 1.0F);

@@ -17,6 +17,16 @@ class FramesTest : public MovingSessionTest {
   }
   void set_height(double y) { LUM_EXPECT_OK(session_->set({fmt::format("lights/light/position=0,{},3", y)})); }
   Sequence sequence(const std::string& pattern) { return {moving_, {0, 12, 24}, folder_.file(pattern), {}, {}, false}; }
+  /// A light is found for paint at frame 0; its colour has a key at 24.
+  void solve_with_a_key_later() {
+    LUM_EXPECT_OK(session_->paint(light_strokes(), "strokes.json"));
+    LUM_ASSERT_OK([[maybe_unused]] const std::string name, session_->add_light({}));
+    LUM_EXPECT_OK(session_->go_to(24));
+    LUM_ASSERT_OK([[maybe_unused]] const int keyed,
+                  session_->set_keys("lights/light/color", KeyInterpolation::kLinear));
+    LUM_EXPECT_OK(session_->go_to(0));
+    LUM_EXPECT_OK(session_->solve(few_evals(), {}));
+  }
   /// Frames that were rendered, not those that were there.
   std::vector<int> rendered(const Sequence& sequence) {
     std::vector<int> frames;
@@ -116,23 +126,13 @@ TEST_F(FramesTest, KeysAndFramesAreInTheProject) {
 }
 
 TEST_F(FramesTest, AnAcceptedSolveIsAKeyAtItsFrame) {
-  LUM_EXPECT_OK(session_->paint(light_strokes(), "strokes.json"));
-  LUM_ASSERT_OK([[maybe_unused]] const std::string name, session_->add_light({}));
-  LUM_EXPECT_OK(session_->go_to(24));
-  LUM_ASSERT_OK([[maybe_unused]] const int keyed, session_->set_keys("lights/light/color", KeyInterpolation::kLinear));
-  LUM_EXPECT_OK(session_->go_to(0));
-  LUM_EXPECT_OK(session_->solve(few_evals(), {}));
+  solve_with_a_key_later();
   LUM_EXPECT_OK(session_->accept());
   EXPECT_EQ(key_frames(session_->state().rig, "light"), (std::vector<double>{0, 24}));
 }
 
 TEST_F(FramesTest, WhatIsProposedIsAKeyOfTheFrameThatIsLeft) {
-  LUM_EXPECT_OK(session_->paint(light_strokes(), "strokes.json"));
-  LUM_ASSERT_OK([[maybe_unused]] const std::string name, session_->add_light({}));
-  LUM_EXPECT_OK(session_->go_to(24));
-  LUM_ASSERT_OK([[maybe_unused]] const int keyed, session_->set_keys("lights/light/color", KeyInterpolation::kLinear));
-  LUM_EXPECT_OK(session_->go_to(0));
-  LUM_EXPECT_OK(session_->solve(few_evals(), {}));
+  solve_with_a_key_later();
   const auto color = [&] {
     const ParamBlock& light = session_->shown().rig.find("light")->params;
     return light.vec3(*light.schema().by_role("color"));

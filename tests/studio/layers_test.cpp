@@ -29,6 +29,16 @@ class PaintLayersTest : public SessionTest {
     return {0.1F, 0.5F, {stroke}};
   }
   void paint(const StrokeFile& strokes) { LUM_EXPECT_OK(session_->paint(strokes, "strokes.json")); }
+  /// On a layer of its own; it is not merged into what it would reach.
+  void expect_an_eraser_above_stays_there() {
+    LUM_EXPECT_OK(session_->layers().add("Floor"));
+    StrokeFile eraser = floor_strokes();
+    eraser.strokes[0].brush.tool = PaintTool::kErase;
+    paint(eraser);
+    const std::string before = hash();
+    EXPECT_EQ(error_of(session_->layers().merge_down("Floor")).kind, ErrorKind::kUsage);
+    EXPECT_EQ(hash(), before);
+  }
 };
 
 TEST_F(PaintLayersTest, EachGestureIsOneCommandAndIsUndone) {
@@ -131,24 +141,12 @@ TEST_F(PaintLayersTest, MergedLayersLookTheSameAndStayStrokes) {
 
 TEST_F(PaintLayersTest, AnEraserIsNotMergedIntoPaintThatItWouldReach) {
   paint(light_strokes());
-  LUM_EXPECT_OK(session_->layers().add("Floor"));
-  StrokeFile eraser = floor_strokes();
-  eraser.strokes[0].brush.tool = PaintTool::kErase;
-  paint(eraser);
-  const std::string before = hash();
-  EXPECT_EQ(error_of(session_->layers().merge_down("Floor")).kind, ErrorKind::kUsage);
-  EXPECT_EQ(hash(), before);
+  expect_an_eraser_above_stays_there();
 }
 
 TEST_F(PaintLayersTest, NorIntoThatOfAPictureThatWasTakenAsTarget) {
   LUM_EXPECT_OK(session_->set_target(Image(48, 36, 3, 0.5F), std::nullopt));
-  LUM_EXPECT_OK(session_->layers().add("Floor"));
-  StrokeFile eraser = floor_strokes();
-  eraser.strokes[0].brush.tool = PaintTool::kErase;
-  paint(eraser);
-  const std::string before = hash();
-  EXPECT_EQ(error_of(session_->layers().merge_down("Floor")).kind, ErrorKind::kUsage);
-  EXPECT_EQ(hash(), before);
+  expect_an_eraser_above_stays_there();
 }
 
 TEST_F(PaintLayersTest, ErrorsNameWhatIsNotThere) {

@@ -1,5 +1,6 @@
 #pragma once
 // tests/studio/moving_session.h -- a session on a scene that moves.
+#include "studio/moving_ball.h"
 #include "studio/session_fixture.h"
 
 namespace luminist {
@@ -9,14 +10,7 @@ class MovingSessionTest : public SessionTest {
  protected:
   void SetUp() override {
     SessionTest::SetUp();
-    LUM_ASSERT_OK(Scene scene, load_scene(folder_.file("ball.obj"), {}, diagnostics_));
-    scene.animation.nodes.push_back({.name = "lift"});
-    Track rise;
-    rise.times = {0.0F, 1.0F};
-    rise.values = {Vec4(0.0F), Vec4(0.0F, 2.0F, 0.0F, 0.0F)};
-    scene.animation.tracks.push_back(std::move(rise));
-    scene.objects[0].mount.node = 0;
-    hang(scene);
+    LUM_ASSERT_OK(const Scene scene, moving_ball(folder_.file("ball.obj"), {0.0F, 2.0F, 0.0F}, diagnostics_));
     moving_ = shot();
     moving_.scene = folder_.file("rising.glb");
     LUM_EXPECT_OK(save_scene(scene, moving_.scene));

@@ -3,6 +3,7 @@
 
 #include <fstream>
 
+#include "studio/moving_ball.h"
 #include "studio/script.h"
 #include "studio/session_fixture.h"
 
@@ -14,14 +15,7 @@ class ShotsTest : public SessionTest {
  protected:
   void SetUp() override {
     SessionTest::SetUp();
-    LUM_ASSERT_OK(Scene scene, load_scene(folder_.file("ball.obj"), {}, diagnostics_));
-    scene.animation.nodes.push_back({.name = "slide"});
-    Track slide;
-    slide.times = {0.0F, 1.0F};
-    slide.values = {Vec4(0.0F), Vec4(0.6F, 0.0F, 0.0F, 0.0F)};
-    scene.animation.tracks.push_back(std::move(slide));
-    scene.objects[0].mount.node = 0;
-    hang(scene);
+    LUM_ASSERT_OK(const Scene scene, moving_ball(folder_.file("ball.obj"), {0.6F, 0.0F, 0.0F}, diagnostics_));
     LUM_EXPECT_OK(save_scene(scene, folder_.file("sliding.glb")));
     Shot moving = shot();
     moving.scene = folder_.file("sliding.glb");

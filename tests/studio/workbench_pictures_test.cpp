@@ -7,18 +7,28 @@ namespace {
 
 using std::chrono::milliseconds;
 
-TEST_F(WorkbenchTest, ASmallerPictureFollowsTheBrushAndAFullOneComesWhenItRests) {
-  Shot large = shot();
-  large.width = 400;  // more than QuickStage::helps() leaves alone
-  large.height = 300;
-  LUM_EXPECT_OK(bench_->open(large, folder_.path()));
-  ASSERT_TRUE(device_->info().software || !QuickStage::helps(large)) << "the test wants software GL";
-  LUM_EXPECT_OK(bench_->prepare());
+class WorkbenchPicturesTest : public WorkbenchTest {
+ protected:
+  void open(int width, int height) {
+    Shot large = shot();
+    large.width = width;
+    large.height = height;
+    LUM_EXPECT_OK(bench_->open(large, folder_.path()));
+    LUM_EXPECT_OK(bench_->prepare());
+  }
+  void draw_without_lifting() {
+    const Stroke whole = light_strokes().strokes.front();
+    LUM_EXPECT_OK(bench_->begin_stroke({whole.brush, {whole.points.front()}}, folder_.path()));
+    LUM_EXPECT_OK(bench_->extend_stroke(std::span(whole.points).subspan(1)));
+  }
+};
+
+TEST_F(WorkbenchPicturesTest, ASmallerPictureFollowsTheBrushAndAFullOneComesWhenItRests) {
+  open(400, 300);  // more than QuickStage::helps() leaves alone
+  ASSERT_TRUE(device_->info().software || !QuickStage::helps(bench_->session().shot())) << "the test wants software GL";
   add_dark_light();
   LUM_EXPECT_OK(bench_->prepare());
-  const Stroke whole = light_strokes().strokes.front();
-  LUM_EXPECT_OK(bench_->begin_stroke({whole.brush, {whole.points.front()}}, folder_.path()));
-  LUM_EXPECT_OK(bench_->extend_stroke(std::span(whole.points).subspan(1)));
+  draw_without_lifting();
   const auto moving = look();
   EXPECT_LT(moving->picture->width, 400);
   EXPECT_EQ(moving->painted->color.width, 400) << "the paint itself is never small";
@@ -28,17 +38,11 @@ TEST_F(WorkbenchTest, ASmallerPictureFollowsTheBrushAndAFullOneComesWhenItRests)
   EXPECT_EQ(look()->picture->width, 400);
 }
 
-TEST_F(WorkbenchTest, APictureAtRestIsGivenUpWhenSomebodyWaits) {
-  Shot large = shot();
-  large.width = 640;  // a picture of several parts
-  large.height = 480;
-  LUM_EXPECT_OK(bench_->open(large, folder_.path()));
+TEST_F(WorkbenchPicturesTest, APictureAtRestIsGivenUpWhenSomebodyWaits) {
   if (!device_->info().software) GTEST_SKIP() << "elsewhere a picture is quick";
-  LUM_EXPECT_OK(bench_->prepare());
+  open(640, 480);  // a picture of several parts
   add_dark_light();
-  const Stroke whole = light_strokes().strokes.front();
-  LUM_EXPECT_OK(bench_->begin_stroke({whole.brush, {whole.points.front()}}, folder_.path()));
-  LUM_EXPECT_OK(bench_->extend_stroke(std::span(whole.points).subspan(1)));
+  draw_without_lifting();
   EXPECT_LT(look()->picture->width, 640);
   LUM_EXPECT_OK(bench_->end_stroke());
   int asked = 0;
@@ -57,18 +61,12 @@ TEST_F(WorkbenchTest, APictureAtRestIsGivenUpWhenSomebodyWaits) {
   EXPECT_EQ(document_hash(), before);
 }
 
-TEST_F(WorkbenchTest, WhatIsStoppedIsShownWhole) {
-  Shot large = shot();
-  large.width = 400;
-  large.height = 300;
-  LUM_EXPECT_OK(bench_->open(large, folder_.path()));
+TEST_F(WorkbenchPicturesTest, WhatIsStoppedIsShownWhole) {
   if (!device_->info().software) GTEST_SKIP() << "elsewhere no picture is small";
-  LUM_EXPECT_OK(bench_->prepare());
+  open(400, 300);
   add_dark_light();
-  const Stroke whole = light_strokes().strokes.front();
   for (const bool judged : {false, true}) {
-    LUM_EXPECT_OK(bench_->begin_stroke({whole.brush, {whole.points.front()}}, folder_.path()));
-    LUM_EXPECT_OK(bench_->extend_stroke(std::span(whole.points).subspan(1)));
+    draw_without_lifting();
     EXPECT_LT(look()->picture->width, 400);
     LUM_EXPECT_OK(bench_->end_stroke());
     if (judged) {

@@ -106,20 +106,25 @@ class PathShot {
   LightTypes types_;
 };
 
+/// A glossy floor in a cube, and a mirror on the wall behind.
+inline void add_floor_and_mirror(Scene& cube) {
+  Material glossy = matte(Vec3(0.5F));
+  glossy.roughness = 0.4F;
+  glossy.metallic = 0.4F;
+  cube.objects[2].material = add_material(cube, glossy);
+  Material mirror = matte(Vec3(0.9F));
+  mirror.roughness = 0.0F;
+  mirror.metallic = 1.0F;
+  add_rectangle(cube, {-0.2F, -0.5F, -0.99F}, {0.9F, 0.0F, 0.0F}, {0.0F, 1.1F, 0.0F}, add_material(cube, mirror));
+}
+
 /// A cube with coloured walls, a glossy floor, a mirror on the wall behind, and a panel under the ceiling.
 inline Result<PathShot> small_room(int width, int height) {
   Scene scene;
   add_cube(scene, add_material(scene, matte(Vec3(0.7F))));
   scene.objects[0].material = add_material(scene, matte({0.7F, 0.15F, 0.1F}));
   scene.objects[1].material = add_material(scene, matte({0.15F, 0.6F, 0.2F}));
-  Material glossy = matte(Vec3(0.5F));
-  glossy.roughness = 0.4F;
-  glossy.metallic = 0.4F;
-  scene.objects[2].material = add_material(scene, glossy);
-  Material mirror = matte(Vec3(0.9F));
-  mirror.roughness = 0.0F;
-  mirror.metallic = 1.0F;
-  add_rectangle(scene, {-0.2F, -0.5F, -0.99F}, {0.9F, 0.0F, 0.0F}, {0.0F, 1.1F, 0.0F}, add_material(scene, mirror));
+  add_floor_and_mirror(scene);
   add_rectangle(scene, {-0.8F, -0.4F, -0.6F}, {0.6F, 0.0F, 0.3F}, {0.0F, 0.1F, -0.4F},
                 add_material(scene, matte({0.2F, 0.3F, 0.7F})));
   LUM_TRY(PathShot shot, PathShot::create(std::move(scene), camera_at({0.0F, 0.0F, 0.98F}, 1.5F), width, height));

@@ -15,14 +15,7 @@ Scene walls() {
   Scene scene;
   add_cube(scene, add_material(scene, matte(Vec3(0.7F))));
   scene.objects[0].material = add_material(scene, matte({0.7F, 0.15F, 0.1F}));
-  Material glossy = matte(Vec3(0.5F));
-  glossy.roughness = 0.4F;
-  glossy.metallic = 0.4F;
-  scene.objects[2].material = add_material(scene, glossy);
-  Material mirror = matte(Vec3(0.9F));
-  mirror.roughness = 0.0F;
-  mirror.metallic = 1.0F;
-  add_rectangle(scene, {-0.2F, -0.5F, -0.99F}, {0.9F, 0.0F, 0.0F}, {0.0F, 1.1F, 0.0F}, add_material(scene, mirror));
+  add_floor_and_mirror(scene);
   return scene;
 }
 
