@@ -314,12 +314,16 @@ void monkey(Workbench& bench, std::mt19937& random, const Stroke& stroke, const 
   }
 }
 
-/// 2,000 gestures; LUMINIST_MONKEY=100000 for as many.
+int asked_for(const char* variable, int otherwise) {
+  const char* wanted = std::getenv(variable);
+  return wanted != nullptr ? std::atoi(wanted) : otherwise;
+}
+
+/// 2,000 gestures; LUMINIST_MONKEY=100000 for as many, LUMINIST_MONKEY_SEED=2 for others.
 TEST_F(WorkbenchTest, WhateverAHandDoesCanBeUndone) {
-  const char* wanted = std::getenv("LUMINIST_MONKEY");
-  const int gestures = wanted != nullptr ? std::atoi(wanted) : 2000;
+  const int gestures = asked_for("LUMINIST_MONKEY", 2000);
   const std::string start = document_hash();
-  std::mt19937 random(1);
+  std::mt19937 random(static_cast<unsigned>(asked_for("LUMINIST_MONKEY_SEED", 1)));
   Stroke stroke = light_strokes().strokes.front();
   for (int i = 0; i < gestures; ++i) {
     monkey(*bench_, random, stroke, folder_.path());
