@@ -79,7 +79,7 @@ void Canvas::begin(Image picture) {
   state_.peak.reset();
   state_.layers = LayerStack();
   work_.reset();
-  forget_shadow_pair();
+  forget_shadow_pictures();
   refresh_importance(everywhere());
 }
 
@@ -90,7 +90,7 @@ void Canvas::rebase(Image picture) {
 
 void Canvas::restore(CanvasState state) {
   LUM_CHECK(state.target.color.same_size(state_.target.color), "a state belongs to canvases of its size");
-  if (state.target.before.data != state_.target.before.data) forget_shadow_pair();
+  if (state.target.before.data != state_.target.before.data) forget_shadow_pictures();
   state_ = std::move(state);
   work_.reset();
   refresh_importance(everywhere());
@@ -126,15 +126,16 @@ Result<std::shared_ptr<const Image>> Canvas::source_of(const Brush& brush, const
     return std::make_shared<const Image>(std::move(copied));
   }
   if (brush.tool != PaintTool::kShadow && brush.tool != PaintTool::kShadowEraser) return std::shared_ptr<const Image>();
-  if (!shadow_pair_) {
-    LUM_CHECK(shadow_source_ != nullptr, "whoever lets shadows be painted renders the pair");
-    LUM_TRY(ShadowPair pair, shadow_source_());
-    LUM_CHECK(pair.free_lights_off.same_size(state_.target.color) && pair.shadows_off.same_size(state_.target.color),
-              "the pair is rendered at the picture's size");
-    shadow_pair_ = std::make_shared<const ShadowPair>(std::move(pair));
+  const ShadowPicture which =
+      brush.tool == PaintTool::kShadow ? ShadowPicture::kFreeLightsOff : ShadowPicture::kShadowsOff;
+  std::shared_ptr<const Image>& known = shadow_pictures_[static_cast<std::size_t>(which)];
+  if (!known) {
+    LUM_CHECK(shadow_source_ != nullptr, "whoever lets shadows be painted renders what they copy from");
+    LUM_TRY(Image picture, shadow_source_(which));
+    LUM_CHECK(picture.same_size(state_.target.color), "it is rendered at the picture's size");
+    known = std::make_shared<const Image>(std::move(picture));
   }
-  const Image& image = brush.tool == PaintTool::kShadow ? shadow_pair_->free_lights_off : shadow_pair_->shadows_off;
-  return std::shared_ptr<const Image>(shadow_pair_, &image);
+  return known;
 }
 
 Result<PixelBox> Canvas::apply(const Stroke& stroke, const std::string& folder) {

@@ -1,5 +1,6 @@
 #pragma once
 // paint/canvas.h -- the picture that is painted on, and the target and importance that come of it.
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -20,10 +21,10 @@
 
 namespace luminist {
 
-/// The pair that the shadow brush and eraser copy from (paper, section 4.2).
-struct ShadowPair {
-  Image free_lights_off;  ///< the scene with all modifiable lights turned off
-  Image shadows_off;      ///< all lights on, no shadows
+/// What the shadow brush and eraser copy from (paper, section 4.2).
+enum class ShadowPicture : std::uint8_t {
+  kFreeLightsOff,  ///< the scene with all modifiable lights turned off: of the brush
+  kShadowsOff,     ///< all lights on, no shadows: of the eraser
 };
 
 /// Everything that paint made, as plain values and images: what a document stores and undo puts back.
@@ -48,7 +49,8 @@ struct CanvasState {
 /// light (texture or gradient 1) leaves it black as any light would; plain paint shows.
 class Canvas {
  public:
-  using ShadowSource = std::function<Result<ShadowPair>()>;  ///< called when needed, at most once until it changes
+  /// Called when a picture is needed, at most once each until they change.
+  using ShadowSource = std::function<Result<Image>(ShadowPicture)>;
 
   /// surface must outlive the canvas; picture has its size, 3 channels. images reads what PaintTool::kCopy names.
   Canvas(const SurfaceBuffer& surface, Image picture, ShadowSource shadow_source);
@@ -59,7 +61,7 @@ class Canvas {
   /// errors kBadContent: check_stroke(), an unknown clip object (nearest name), a gradient that starts on no surface;
   /// load_copy_source()'s; the shadow source's; kUsage: the layer is hidden. The canvas is unchanged then.
   /// cost O(pixels under the stroke), times the strokes above it; a copy reads its image, the first shadow stroke
-  /// renders a pair, the first stroke among other layers lays them all.
+  /// renders a picture, the first stroke among other layers lays them all.
   Result<PixelBox> apply(const Stroke& stroke, const std::string& folder);
 
   /// nu and delta, then every stroke. path is the file's: for messages, and copies are looked for beside it.
@@ -96,8 +98,8 @@ class Canvas {
   /// Puts back a state of a canvas of the same size; target.importance is made anew. cost O(pixels).
   void restore(CanvasState state);
 
-  /// Lights or their locks changed: the shadow pair is asked for again when it is needed.
-  void forget_shadow_pair() { shadow_pair_.reset(); }
+  /// Lights or their locks changed: the pictures of shadows are asked for again when they are needed.
+  void forget_shadow_pictures() { shadow_pictures_ = {}; }
 
  private:
   /// The active layer by itself, where the composite is more than that.
@@ -123,7 +125,7 @@ class Canvas {
   const SurfaceBuffer* surface_;
   ShadowSource shadow_source_;
   ImageReader images_;
-  std::shared_ptr<const ShadowPair> shadow_pair_;  ///< shared by copies: it never changes
+  std::array<std::shared_ptr<const Image>, 2> shadow_pictures_;  ///< shared by copies: they never change
   CanvasState state_;
   std::optional<LayerWork> work_;  ///< made when it is needed
   std::optional<OpenStroke> open_;

@@ -59,6 +59,8 @@ class RasterRenderer::Impl {
   /// The deep framebuffer gets the lines that these values of the style ask for.
   Result<void> follow_lines(const ParamBlock& style);
   Result<void> allocate_colors();
+  /// errors kCancelled if whoever asked for the work says so.
+  Result<void> may_go_on() const;
   Result<void> update_shadows(const ParamState& state);
   Result<void> shade(const ParamState& state, const RenderOptions& options);
   /// The moving lights over the kept sum of the others.
@@ -92,7 +94,7 @@ class RasterRenderer::Impl {
   std::vector<std::byte> picture_key_;  ///< of what picture_ shows, with shadows; empty if that is unknown
   GlBuffer bad_;                        ///< uint, pixels that were not finite
   WorkCount work_;
-  std::function<bool()> go_on_;  ///< empty: pictures are made in one go
+  std::function<bool()> go_on_;  ///< empty: whatever is asked for is done, and in one go
 };
 
 }  // namespace luminist

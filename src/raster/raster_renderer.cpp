@@ -44,12 +44,18 @@ Result<void> RasterRenderer::Impl::run(const ParamState& state, const Layer& lay
   return {};
 }
 
+Result<void> RasterRenderer::Impl::may_go_on() const {
+  if (!go_on_ || go_on_()) return {};
+  return Error{ErrorKind::kCancelled, "the picture was cancelled", "", "", ""};
+}
+
 Result<void> RasterRenderer::Impl::update_shadows(const ParamState& state) {
   std::vector<ShadowLight> lit = shadow_lights(state.rig, *types_, meshes_.shadow_frame());
   for (std::size_t i = lit.size(); i-- > 0;) {
     if (state.rig.lights[i].muted) lit.erase(lit.begin() + static_cast<std::ptrdiff_t>(i));
   }
-  return maps_->update(*deep_, lit);
+  LUM_TRY_VOID(maps_->update(*deep_, lit));
+  return may_go_on();
 }
 
 Result<void> RasterRenderer::Impl::shade(const ParamState& state, const RenderOptions& options) {
@@ -92,6 +98,7 @@ Result<void> RasterRenderer::Impl::keep_still(const ParamState& state, const Lay
 Result<void> RasterRenderer::Impl::colors_at(const ParamState& state, std::span<const int> without,
                                              std::span<const std::uint32_t> pixels, std::span<Vec3> out) {
   LUM_CHECK(pixels.size() == out.size(), "one colour per pixel");
+  LUM_TRY_VOID(may_go_on());
   LUM_TRY_VOID(follow_lines(state.style));
   Layer layer;
   for (const int i : lit_lights({&state, Candidate::kAllLights})) {
@@ -148,6 +155,7 @@ Result<void> RasterRenderer::Impl::resolve(const GlBuffer& colors) {
 }
 
 Result<void> RasterRenderer::Impl::draw(const ParamState& state, const RenderOptions& options) {
+  LUM_TRY_VOID(may_go_on());
   LUM_TRY_VOID(follow_lines(state.style));
   if (options.moving && options.shadows && style_.combination(state.style) == LightCombination::kSum) {
     LUM_TRY_VOID(shade_moving(state, *options.moving));
@@ -182,6 +190,7 @@ Result<double> RasterRenderer::Impl::error(const ParamState& state, const Target
 
 Result<void> RasterRenderer::Impl::evaluate(std::span<const Candidate> candidates, const SampleSet& samples,
                                             const Softness& softness, std::span<Vec3> out) {
+  LUM_TRY_VOID(may_go_on());
   const double shades = batch_->shades();
   const double queries = batch_->queries();
   if (!candidates.empty()) LUM_TRY_VOID(follow_lines(candidates.front().state->style));

@@ -111,8 +111,9 @@ Result<LivePainting> QuickStage::paint(const CanvasState& paint, const ParamStat
                                        std::vector<std::string> new_lights) const {
   Renderer& renderer = *stage_->renderer;
   LUM_TRY(Image picture, renderer.render(in_force));
-  Canvas canvas(renderer.surface(), std::move(picture),
-                [&renderer, in_force] { return render_shadow_pair(renderer, in_force); });
+  Canvas canvas(renderer.surface(), std::move(picture), [&renderer, in_force](ShadowPicture which) {
+    return render_shadow_picture(renderer, in_force, which);
+  });
   canvas.restore(resized_paint(paint, canvas.state()));
   return LivePainting(*stage_, std::move(canvas), start, std::move(new_lights), LivePainting::Options{});
 }

@@ -52,7 +52,7 @@ Result<Canvas*> Session::canvas() {
   if (canvas_) return &*canvas_;
   LUM_TRY(Image picture, stage_->renderer->render(state_));
   Canvas canvas(stage_->renderer->surface(), std::move(picture),
-                [this] { return render_shadow_pair(*stage_->renderer, state_); });
+                [this](ShadowPicture which) { return render_shadow_picture(*stage_->renderer, state_, which); });
   LUM_TRY(CanvasState painted, read_paint(project_.document(), project_.tiles(), canvas.state()));
   canvas.restore(std::move(painted));
   const LayerStack& layers = canvas.state().layers;
@@ -63,8 +63,9 @@ Result<Canvas*> Session::canvas() {
 
 Result<Canvas> Session::canvas_copy() {
   LUM_TRY(const Canvas* canvas, this->canvas());
-  Canvas copy(stage_->renderer->surface(), canvas->target().before,
-              [this, lights = state_] { return render_shadow_pair(*stage_->renderer, lights); });
+  Canvas copy(stage_->renderer->surface(), canvas->target().before, [this, lights = state_](ShadowPicture which) {
+    return render_shadow_picture(*stage_->renderer, lights, which);
+  });
   copy.restore(canvas->state());
   return copy;
 }

@@ -105,13 +105,11 @@ Result<bool> pose_lights(LightRig& rig, const Stage& from, const Stage& to, doub
   return moved;
 }
 
-Result<ShadowPair> render_shadow_pair(Renderer& renderer, const ParamState& lights) {
+Result<Image> render_shadow_picture(Renderer& renderer, const ParamState& lights, ShadowPicture which) {
+  if (which == ShadowPicture::kShadowsOff) return renderer.render(lights, RenderOptions{.shadows = false});
   ParamState free_lights_off = lights;
   for (Light& light : free_lights_off.rig.lights) light.muted = light.muted || may_change(lights.rig, light);
-  ShadowPair pair;
-  LUM_TRY(pair.free_lights_off, renderer.render(free_lights_off));
-  LUM_TRY(pair.shadows_off, renderer.render(lights, RenderOptions{.shadows = false}));
-  return pair;
+  return renderer.render(free_lights_off);
 }
 
 void warn_of_ranges(const ParamState& state, const std::vector<std::string>& assignments, const SceneFrame& frame,

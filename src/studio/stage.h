@@ -61,9 +61,8 @@ Result<ParamState> starting_state(const Stage& stage, const AssetRoots& roots, c
 /// the scene went anywhere.
 Result<bool> pose_lights(LightRig& rig, const Stage& from, const Stage& to, double frame);
 
-/// What the shadow brush and eraser copy from: without the lights that may change, and without shadows.
-/// errors the renderer's. cost two pictures.
-Result<ShadowPair> render_shadow_pair(Renderer& renderer, const ParamState& lights);
+/// What the shadow brush or eraser copies from. errors the renderer's. cost a picture.
+Result<Image> render_shadow_picture(Renderer& renderer, const ParamState& lights, ShadowPicture which);
 
 /// Warns of values that assignments put outside of their ranges.
 void warn_of_ranges(const ParamState& state, const std::vector<std::string>& assignments, const SceneFrame& frame,

@@ -285,9 +285,13 @@ Result<bool> Workbench::step(std::chrono::milliseconds slice) {
 
 /// The lights that follow the paint go on while the hand rests. returns whether there is more to gain.
 Result<bool> Workbench::follow_at_rest() {
+  if (follow_again_ && wants_other_quick()) {  // now, so that the next stroke need not wait for it
+    LUM_TRY_VOID(prepare_stroke());
+    return true;
+  }
   if (std::exchange(follow_again_, false) && can_follow()) {
     LUM_TRY_VOID(follow());
-    resting_ = true;
+    return resting_ = true;
   }
   if (!live_painting_ || !resting_) return false;
   LUM_TRY(const LiveEvent event, live_painting_->rest());

@@ -104,6 +104,7 @@ class Workbench : private WorkbenchData {
   [[nodiscard]] const QuickStage& quick_stage() const;
   Result<void> open_quick();
   Result<void> go_on_quick();
+  [[nodiscard]] bool wants_other_quick() const;
   Result<void> prepare_stroke();
   void end_quick();
   /// The picture shown is a small one.

@@ -83,7 +83,7 @@ Result<void> Workbench::go_on_quick() {
   live_painting_.reset();
   LUM_TRY_VOID(hand_canvas());
   const ParamState& start = session_->shown();
-  if (quick_painting_ && quick_of_ == &quick_stage()) {
+  if (quick_painting_) {  // of another size, too: that is for when the hand rests
     quick_painting_->go_on_from(start, waiting_lights(start.rig));
   } else {
     LUM_TRY_VOID(open_quick());
@@ -110,10 +110,15 @@ Result<void> Workbench::open_quick() {
   return {};
 }
 
+/// There is none for the next stroke, or one of another size would do better.
+bool Workbench::wants_other_quick() const {
+  if (stroke_ || quick_stages_.empty() || !can_follow()) return false;
+  return !quick_painting_ || quick_of_ != &quick_stage();
+}
+
 /// What a first stroke would wait for.
 Result<void> Workbench::prepare_stroke() {
-  if (stroke_ || quick_stages_.empty() || !can_follow()) return {};
-  if (quick_painting_ && quick_of_ == &quick_stage()) return {};
+  if (!wants_other_quick()) return {};
   LUM_TRY_VOID(put_proposal());
   LUM_TRY_VOID(hand_canvas());
   LUM_TRY_VOID(open_quick());

@@ -163,12 +163,21 @@ void print(const char* what, const Latency& latency) {
               1e3 * latency.most);
 }
 
+/// Strokes for a picture of 4:3 meet the same objects in a wider one, which shows more at both sides.
+void keep_about_the_middle(StrokeFile& strokes, const LatencyOptions& options) {
+  const float shift = 0.5F * (static_cast<float>(options.width) / static_cast<float>(options.height) - 4.0F / 3.0F);
+  for (Stroke& stroke : strokes.strokes) {
+    for (StrokePoint& point : stroke.points) point.x += shift;
+  }
+}
+
 }  // namespace
 
 Result<void> run_latency(const LatencyOptions& options) {
   const AssetRoots roots = AssetRoots::standard();
   LUM_TRY(const std::string path, find_input(options.strokes, ".", roots));
-  LUM_TRY(const StrokeFile strokes, load_strokes(path));
+  LUM_TRY(StrokeFile strokes, load_strokes(path));
+  keep_about_the_middle(strokes, options);
   Watcher watcher;
   StudioThread studio({roots, {}, [&] { watcher.wake(); }});
   Shot shot;

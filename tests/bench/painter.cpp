@@ -72,15 +72,13 @@ std::vector<Stroke> dab_cells(const Brush& brush, const Image* picture, std::spa
 Result<Canvas> canvas_on(const BenchStage& stage, const ParamState& state) {
   Renderer& renderer = stage.renderer();
   LUM_TRY(Image picture, renderer.render(state));
-  const auto shadow_pair = [&renderer, state]() -> Result<ShadowPair> {
+  const auto shadow_picture = [&renderer, state](ShadowPicture which) -> Result<Image> {
+    if (which == ShadowPicture::kShadowsOff) return renderer.render(state, RenderOptions{.shadows = false});
     ParamState off = state;
     for (Light& light : off.rig.lights) light.muted = light.muted || is_free(light);
-    ShadowPair pair;
-    LUM_TRY(pair.free_lights_off, renderer.render(off));
-    LUM_TRY(pair.shadows_off, renderer.render(state, RenderOptions{.shadows = false}));
-    return pair;
+    return renderer.render(off);
   };
-  return Canvas(renderer.surface(), std::move(picture), shadow_pair);
+  return Canvas(renderer.surface(), std::move(picture), shadow_picture);
 }
 
 Result<StrokeFile> committed_strokes(const std::string& file) {

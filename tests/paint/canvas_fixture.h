@@ -19,8 +19,8 @@ class CanvasOnBall : public ::testing::Test {
   [[nodiscard]] Canvas canvas() const {
     return Canvas(
         surface_, picture_,
-        []() -> Result<ShadowPair> {
-          return ShadowPair{varied_picture(kWidth, kHeight, 0.02F), varied_picture(kWidth, kHeight, 0.7F)};
+        [](ShadowPicture which) -> Result<Image> {
+          return varied_picture(kWidth, kHeight, which == ShadowPicture::kFreeLightsOff ? 0.02F : 0.7F);
         },
         [](const std::string& /*path*/) -> Result<Image> { return varied_picture(kWidth, kHeight, 0.5F); });
   }

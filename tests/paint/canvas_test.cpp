@@ -21,9 +21,9 @@ class CanvasTest : public ::testing::Test {
   [[nodiscard]] Canvas canvas() {
     return Canvas(
         surface_, picture_,
-        [this]() -> Result<ShadowPair> {
-          ++pairs_rendered_;
-          return ShadowPair{dark_, bright_};
+        [this](ShadowPicture which) -> Result<Image> {
+          ++rendered_;
+          return which == ShadowPicture::kFreeLightsOff ? dark_ : bright_;
         },
         [this](const std::string& /*path*/) -> Result<Image> { return copied_; });
   }
@@ -51,7 +51,7 @@ class CanvasTest : public ::testing::Test {
   Image dark_ = varied_picture(kWidth, kHeight, 0.02F);
   Image bright_ = varied_picture(kWidth, kHeight, 0.7F);
   Image copied_ = varied_picture(kWidth, kHeight, 0.5F);
-  int pairs_rendered_ = 0;
+  int rendered_ = 0;
   /// The middle of the middle pixel.
   static constexpr float kX = (kMiddleX + 0.5F) / kHeight;
   static constexpr float kY = (kMiddleY + 0.5F) / kHeight;
@@ -248,21 +248,23 @@ TEST_F(CanvasTest, BrightenAndDarkenFollowStopsTimesCoverage) {
   expect_near(color(c, kMiddleX + 5, kMiddleY), before(kMiddleX + 5, kMiddleY));
 }
 
-TEST_F(CanvasTest, ShadowBrushAndEraserCopyFromThePairThatIsRenderedOnce) {
+TEST_F(CanvasTest, ShadowBrushAndEraserCopyFromPicturesThatAreRenderedOnceEach) {
   Canvas c = canvas();
   LUM_EXPECT_OK(c.apply(click(flat_brush(), kX, kY), ""));
-  EXPECT_EQ(pairs_rendered_, 0);
+  EXPECT_EQ(rendered_, 0);
   Brush brush = of_tool(PaintTool::kShadow);
   brush.bucket = true;
   LUM_EXPECT_OK(c.apply({brush, {}}, ""));
   EXPECT_EQ(c.target().color.data, dark_.data);
+  EXPECT_EQ(rendered_, 1) << "the eraser's is not needed";
   brush.tool = PaintTool::kShadowEraser;
   LUM_EXPECT_OK(c.apply({brush, {}}, ""));
   EXPECT_EQ(c.target().color.data, bright_.data);
-  EXPECT_EQ(pairs_rendered_, 1);
+  LUM_EXPECT_OK(c.apply({brush, {}}, ""));
+  EXPECT_EQ(rendered_, 2);
   c.rebase(picture_);
   LUM_EXPECT_OK(c.apply({brush, {}}, ""));
-  EXPECT_EQ(pairs_rendered_, 2);
+  EXPECT_EQ(rendered_, 3);
 }
 
 TEST_F(CanvasTest, ShadowOfHalfOpacityIsHalfAShadow) {
@@ -342,7 +344,7 @@ TEST_F(CanvasTest, IsUnchangedByAStrokeThatFails) {
   Brush brush = of_tool(PaintTool::kShadow);
   brush.clip = "nothing";
   EXPECT_FALSE(c.apply(click(brush, kX, kY), ""));
-  EXPECT_EQ(pairs_rendered_, 0);  // nothing was rendered for it either
+  EXPECT_EQ(rendered_, 0);  // nothing was rendered for it either
   const float nan = std::numeric_limits<float>::quiet_NaN();
   EXPECT_FALSE(c.apply(click(flat_brush(), nan, kY), ""));
   EXPECT_FALSE(c.apply({flat_brush(), {}}, ""));

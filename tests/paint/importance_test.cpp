@@ -11,7 +11,7 @@ namespace {
 constexpr int kSize = 64;
 
 Canvas::ShadowSource no_shadows() {
-  return []() -> Result<ShadowPair> { return Error{ErrorKind::kGl, "no shadows here", "", "", ""}; };
+  return [](ShadowPicture) -> Result<Image> { return Error{ErrorKind::kGl, "no shadows here", "", "", ""}; };
 }
 
 /// Figure 4 of the paper: fruit painted in the past, the jug now. Left is the fruit, right the jug.

@@ -135,8 +135,8 @@ TEST(PaintDocument, KeepsPixelsThatAreNotNumbers) {
 
 TEST(PaintDocument, KeepsLayersAndTheirStrokes) {
   Painted painted;
-  painted.canvas = Canvas(painted.surface, painted.picture, []() -> Result<ShadowPair> {
-    return ShadowPair{Image(150, 70, 3, 0.05F), Image(150, 70, 3, 0.9F)};
+  painted.canvas = Canvas(painted.surface, painted.picture, [](ShadowPicture which) -> Result<Image> {
+    return Image(150, 70, 3, which == ShadowPicture::kFreeLightsOff ? 0.05F : 0.9F);
   });
   LayerStack stack;
   stack.layers.push_back({.name = "Rim \"light\"", .visible = true, .opacity = 0.3F});

@@ -24,8 +24,8 @@ class WorkbenchPicturesTest : public WorkbenchTest {
 };
 
 TEST_F(WorkbenchPicturesTest, ASmallerPictureFollowsTheBrushAndAFullOneComesWhenItRests) {
+  if (!device_->info().software) GTEST_SKIP() << "elsewhere no picture is small";
   open(400, 300);  // more than QuickStage::helps() leaves alone
-  ASSERT_TRUE(device_->info().software || !QuickStage::helps(bench_->session().shot())) << "the test wants software GL";
   add_dark_light();
   LUM_EXPECT_OK(bench_->prepare());
   draw_without_lifting();
@@ -49,8 +49,10 @@ TEST_F(WorkbenchPicturesTest, APictureAtRestIsGivenUpWhenSomebodyWaits) {
   bool alone = false;
   bench_->give_way_unless([&] { return ++asked, alone; });
   const std::string before = document_hash();
-  LUM_ASSERT_OK(const bool more, bench_->step(milliseconds(5)));
-  EXPECT_TRUE(more) << "it is to be made anew";
+  for (int i = 0; i < 5 && asked == 0; ++i) {  // what comes before the picture asks nobody
+    LUM_ASSERT_OK(const bool more, bench_->step(milliseconds(5)));
+    EXPECT_TRUE(more) << "it is to be made anew";
+  }
   EXPECT_EQ(asked, 1) << "the first answer was enough";
   const auto small = look();
   EXPECT_TRUE(small->proposal) << "what the small pictures found stays";

@@ -209,7 +209,8 @@ TEST_F(RasterAgreement, TheSurfaceIsTheSame) {
       ++others;  // a silhouette goes through the pixel's centre
       continue;
     }
-    EXPECT_LT(glm::distance(a.position[i], b.position[i]), 2e-4F) << i;
+    // A rasterizer snaps corners to parts of a pixel, and where a surface is seen from the side that is a way.
+    EXPECT_LT(glm::distance(a.position[i], b.position[i]), 5e-4F) << i;
     EXPECT_LT(glm::distance(a.normal[i], b.normal[i]), 1e-3F) << i;
     EXPECT_LT(glm::distance(a.albedo[i], b.albedo[i]), 1e-5F) << i;
     EXPECT_EQ(a.material[i], b.material[i]);
