@@ -132,6 +132,14 @@ std::vector<WorstPixel> worst_pixels(const Image& picture, const Image& referenc
   return worst;
 }
 
+GoldenCase golden_on(const DeviceInfo& device, const Style& style, GoldenCase golden) {
+  if (device.software || !style.golden_gpu) return golden;
+  golden.max_difference = std::max(golden.max_difference, style.golden_gpu->max_difference);
+  golden.mean_difference = std::max(golden.mean_difference, style.golden_gpu->mean_difference);
+  golden.reason += " " + style.golden_gpu->reason;
+  return golden;
+}
+
 Result<GoldenOutcome> run_golden(Device& device, const AssetRoots& roots, const Style& style, const GoldenCase& golden,
                                  const fs::path& output, Diagnostics& diagnostics) {
   Shot shot;
@@ -150,7 +158,8 @@ Result<GoldenOutcome> run_golden(Device& device, const AssetRoots& roots, const 
   const std::string file = in_output(".exr");
   const std::vector<ImageFile> candidate = {{file, &picture}, {in_output(".png"), &picture}};
   LUM_TRY_VOID(write_images(candidate));
-  GoldenOutcome outcome{.golden = golden, .verdict = "", .difference = {}, .worst = {}};
+  GoldenOutcome outcome{
+      .golden = golden_on(device.info(), style, golden), .verdict = "", .difference = {}, .worst = {}};
   const fs::path reference_file = reference_path(style, golden);
   auto reference = read_image(reference_file.string());
   if (!reference && reference.error().kind == ErrorKind::kMissing) {

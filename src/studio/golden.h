@@ -43,6 +43,9 @@ struct GoldenOutcome {
   std::vector<WorstPixel> worst;
 };
 
+/// A case as it is judged on a device: a graphics processor may differ as much as the style allows it, too.
+GoldenCase golden_on(const DeviceInfo& device, const Style& style, GoldenCase golden);
+
 /// Renders a case to output/NAME.exr (and .png), compares it with the style's golden/NAME.exr and writes
 /// NAME.reference.png and NAME.difference.png beside it. A missing reference fails; the candidate stays.
 /// errors those of rendering and writing: a picture that differs is an outcome.

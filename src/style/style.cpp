@@ -125,6 +125,17 @@ Result<StyleMetric> read_metric(const TomlValue* table, const std::string& path)
   return metric;
 }
 
+Result<GoldenAllowance> read_allowance(const TomlValue& table, const std::string& path) {
+  TomlReader read(table, path, ErrorKind::kStyle);
+  GoldenAllowance allowance;
+  allowance.max_difference = read_difference(read, "max_difference");
+  allowance.mean_difference = read_difference(read, "mean_difference");
+  allowance.reason = read.string("reason");
+  if (allowance.reason.empty()) read.fail("reason", "the differences need a reason");
+  LUM_TRY_VOID(read.finish());
+  return allowance;
+}
+
 Result<GoldenCase> read_golden(const TomlValue& table, const Style& style, const std::string& path) {
   const std::vector<GoldenCase>& others = style.golden;
   TomlReader read(table, path, ErrorKind::kStyle);
@@ -182,6 +193,7 @@ Result<void> read_tables(TomlReader& read, Style& style, const fs::path& manifes
   const std::string path = manifest.string();
   const TomlValue* metric = read.table("metric");
   const std::span<const TomlValue> golden = read.tables("golden");
+  const TomlValue* golden_gpu = read.table("golden_gpu");
   const std::span<const TomlValue> textures = read.tables("texture");
   read.tables("param");
   if (textures.size() > kMaxTextures) read.fail("texture", fmt::format("more than {} textures", kMaxTextures));
@@ -194,6 +206,9 @@ Result<void> read_tables(TomlReader& read, Style& style, const fs::path& manifes
   for (const TomlValue& table : golden) {
     LUM_TRY(GoldenCase one, read_golden(table, style, path));
     style.golden.push_back(std::move(one));
+  }
+  if (golden_gpu != nullptr) {
+    LUM_TRY(style.golden_gpu, read_allowance(*golden_gpu, path));
   }
   return {};
 }

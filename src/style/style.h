@@ -1,6 +1,7 @@
 #pragma once
 // style/style.h -- a look as a folder: styles/<name>/{style.toml, *.glsl, textures/, golden/} and no C++.
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -46,6 +47,14 @@ struct GoldenCase {
   std::string reason;    ///< why these two numbers; required
 };
 
+/// How far a graphics processor may be from the references, which software GL draws: it filters textures in its own
+/// way.
+struct GoldenAllowance {
+  double max_difference = 0.0;
+  double mean_difference = 0.0;
+  std::string reason;  ///< required
+};
+
 /// Who draws a style: the raster engine by its GLSL, or the path tracer.
 enum class StyleEngine { kRaster, kPath };
 
@@ -64,6 +73,7 @@ struct Style {
   StyleMetric metric;
   std::shared_ptr<const ParamSchema> schema;
   std::vector<GoldenCase> golden;
+  std::optional<GoldenAllowance> golden_gpu;
 
   /// How lights combine under these values of the style's parameters.
   [[nodiscard]] LightCombination combination(const ParamBlock& params) const;
@@ -75,9 +85,9 @@ struct Style {
 /// none for the path tracer), `lights = "sum" | "joint"` or the name of a [[param]] of type choice, one of whose words
 /// is "sum" ("key", one term a light for the objects whose key it is, is a sum too; any other is joint), `strokes`,
 /// [metric] `blur`,
-/// [[param]], [[texture]], [[golden]]. A manifest with `ink` in place of `shade` draws lines over another style:
-/// "toon+outline" is both, with the parameters of both. errors kStyle at path:line:col with the nearest valid key;
-/// kMissing with the styles there are; kUsage for a stack that is none.
+/// [[param]], [[texture]], [[golden]], [golden_gpu]. A manifest with `ink` in place of `shade` draws lines over another
+/// style: "toon+outline" is both, with the parameters of both. errors kStyle at path:line:col with the nearest valid
+/// key; kMissing with the styles there are; kUsage for a stack that is none.
 Result<Style> load_style(const AssetRoots& roots, const std::string& name);
 
 /// The same for a style that can be a picture of its own. errors kUsage for one that only draws lines over others.

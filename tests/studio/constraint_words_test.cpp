@@ -67,7 +67,7 @@ TEST_F(ConstraintWordsTest, APlaneThatHasANameIsCalledByIt) {
 TEST_F(ConstraintWordsTest, APlaneIsPickedFromThePicture) {  // left of the ball there is floor
   LUM_ASSERT_OK(const Constraint constraint, parse("lights/key on surface 0.35,0.52"));
   const Plane& plane = std::get<OnPlane>(constraint.rule).plane;
-  EXPECT_NEAR(plane.point.y, 0.0F, 1e-4F);  // unprojected from a depth in floats
+  EXPECT_NEAR(plane.point.y, 0.0F, 1e-4F);                                // unprojected from a depth in floats
   EXPECT_LT(glm::distance(plane.normal, Vec3(0.0F, 1.0F, 0.0F)), 1e-6F);  // drivers round otherwise
 }
 

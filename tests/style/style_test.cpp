@@ -100,6 +100,10 @@ set = ["style/width=0.25", "ambient/color=0,0,0"]
 max_difference = 0.05
 mean_difference = 0.002
 reason = "edges of shadows"
+[golden_gpu]
+max_difference = 0.5
+mean_difference = 0.004
+reason = "textures"
 )",
       "full.glsl");
   LUM_ASSERT_OK(const Style style, load("full"));
@@ -118,13 +122,17 @@ reason = "edges of shadows"
   EXPECT_EQ(golden.max_difference, 0.05);
   EXPECT_EQ(golden.mean_difference, 0.002);
   EXPECT_EQ(golden.reason, "edges of shadows");
+  ASSERT_TRUE(style.golden_gpu);
+  EXPECT_EQ(style.golden_gpu->max_difference, 0.5);
+  EXPECT_EQ(style.golden_gpu->mean_difference, 0.004);
+  EXPECT_EQ(style.golden_gpu->reason, "textures");
 }
 
 TEST_F(StyleFiles, ReportMistakesAtTheirPlace) {
   const std::string good = kGood;  // 2 lines
   const std::string golden =
       good + "[[golden]]\nname = \"a\"\nscene = \"s\"\nmax_difference = 0\nmean_difference = 0\nreason = \"r\"\n";
-  const std::array<std::array<std::string, 3>, 24> mistakes = {{
+  const std::array<std::array<std::string, 3>, 26> mistakes = {{
       {"shade = \"plain.glsl\"\n", ":1:1", "\"doc\" is missing"},
       {"doc = \"p\"\n", ":1:1", "\"shade\" is missing"},
       {"doc = \"p\"\nshader = \"plain.glsl\"\n", ":2:1", "did you mean \"shade\""},
@@ -152,6 +160,9 @@ TEST_F(StyleFiles, ReportMistakesAtTheirPlace) {
       {good + "[[texture]]\nname = \"grain\"\nfile = \"gone.png\"\n", ":5:8", "which is not there"},
       {good + "[[texture]]\nname = \"grain\"\nfile = \"plain.glsl\"\nlevels = 13\n", ":6:10", "outside 0 to 12"},
       {golden + "style = \"toon\"\n", ":9:9", "seen by itself"},
+      {good + "[golden_gpu]\nmax_difference = 1\nmean_difference = -1\nreason = \"r\"\n", ":5:19",
+       "cannot be negative"},
+      {good + "[golden_gpu]\nmax_difference = 1\nmean_difference = 1\nreason = \"\"\n", ":6:10", "need a reason"},
   }};
   const std::string path = (folder_.path() / "styles/plain/style.toml").string();
   for (const auto& [manifest, place, says] : mistakes) {
