@@ -335,6 +335,45 @@ TEST_F(RasterRendererTest, AMistakeInAStyleIsReportedAtItsLine) {
   EXPECT_TRUE(error.where.starts_with(style.glsl_path + ":2")) << error.message();
 }
 
+/// Whenever it is given up, what it makes afterwards is what another renderer makes.
+TEST_F(RasterRendererTest, WhatIsGivenUpLeavesNothingHalfDone) {
+  use_style("cinematic");
+  const SampleSet samples = all_pixels();
+  ParamState turned = *state_;
+  ParamBlock& moved = turned.rig.lights[0].params;
+  moved.set(param(moved, "position"), 0, moved.get(param(moved, "position"), 0) + 0.3);
+  const std::vector<int> moving = {0};
+  const auto all_of = [&](RasterRenderer& renderer, const ParamState& state) -> Result<std::vector<Vec3>> {
+    std::vector<Vec3> seen(samples.pixels.size());
+    const Candidate candidate{&state, Candidate::kAllLights};
+    LUM_TRY_VOID(renderer.evaluate({&candidate, 1}, samples, {}, seen));
+    std::vector<Vec3> without(samples.pixels.size());
+    LUM_TRY_VOID(renderer.colors_at(state, moving, samples.pixels, without));
+    LUM_TRY(const Image picture, renderer.render(state, {.moving = moving}));
+    seen.insert(seen.end(), without.begin(), without.end());
+    for (std::size_t i = 0; i < picture.pixels(); ++i) seen.push_back(picture.rgb(i));
+    return seen;
+  };
+  LUM_ASSERT_OK(const auto before, all_of(*renderer_, *state_));
+  LUM_ASSERT_OK(const auto after, all_of(*renderer_, turned));
+  bool whole = false;
+  for (int questions = 0; !whole; ++questions) {
+    ASSERT_LT(questions, 50);
+    int left = questions;
+    renderer_->ask([&left] { return left-- > 0; });
+    const ParamState& wanted = questions % 2 == 0 ? *state_ : turned;
+    const auto done = all_of(*renderer_, wanted);
+    renderer_->ask({});
+    whole = done.has_value();
+    if (!whole) {
+      EXPECT_EQ(error_of(done).kind, ErrorKind::kCancelled) << questions;
+    }
+    LUM_ASSERT_OK(const auto again, all_of(*renderer_, questions % 4 < 2 ? *state_ : turned));
+    EXPECT_EQ(again, questions % 4 < 2 ? before : after) << questions;
+    EXPECT_TRUE(questions > 0 || !whole);
+  }
+}
+
 TEST_F(RasterRendererTest, RefusesAnEmptyPicture) {
   LUM_ASSERT_OK(const Style style, load_style(AssetRoots::standard(), "cinematic"));
   EXPECT_EQ(error_of(RasterRenderer::create(*device_, scene_, scene_.cameras[0], *types_, style, AssetRoots::standard(),
