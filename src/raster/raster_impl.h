@@ -59,7 +59,7 @@ class RasterRenderer::Impl {
   /// The deep framebuffer gets the lines that these values of the style ask for.
   Result<void> follow_lines(const ParamBlock& style);
   Result<void> allocate_colors();
-  /// errors kCancelled if whoever asked for the work says so.
+  /// errors kCancelled where go_on_ says false.
   Result<void> may_go_on() const;
   Result<void> update_shadows(const ParamState& state);
   Result<void> shade(const ParamState& state, const RenderOptions& options);

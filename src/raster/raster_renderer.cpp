@@ -46,7 +46,7 @@ Result<void> RasterRenderer::Impl::run(const ParamState& state, const Layer& lay
 
 Result<void> RasterRenderer::Impl::may_go_on() const {
   if (!go_on_ || go_on_()) return {};
-  return Error{ErrorKind::kCancelled, "the picture was cancelled", "", "", ""};
+  return Error{ErrorKind::kCancelled, "the work was cancelled", "", "", ""};
 }
 
 Result<void> RasterRenderer::Impl::update_shadows(const ParamState& state) {

@@ -31,8 +31,8 @@ class RasterRenderer final : public Renderer {
   /// (strokes, lines): nothing has changed then. cost compiling the style.
   Result<void> change_style(const Style& style, const AssetRoots& roots);
 
-  /// Until it is given an empty one, pictures are made in parts, and whatever this is asked for ends with kCancelled as
-  /// soon as go_on says false.
+  /// Until it is given an empty one, pictures, errors, colours and batches end with kCancelled where go_on says false:
+  /// it is asked before each, between the shadows and the light, and between parts of a large picture.
   void ask(std::function<bool()> go_on);
 
   [[nodiscard]] const SurfaceBuffer& surface() const override;

@@ -134,9 +134,11 @@ std::vector<WorstPixel> worst_pixels(const Image& picture, const Image& referenc
 
 GoldenCase golden_on(const DeviceInfo& device, const Style& style, GoldenCase golden) {
   if (device.software || !style.golden_gpu) return golden;
-  golden.max_difference = std::max(golden.max_difference, style.golden_gpu->max_difference);
-  golden.mean_difference = std::max(golden.mean_difference, style.golden_gpu->mean_difference);
-  golden.reason += " " + style.golden_gpu->reason;
+  const GoldenAllowance& there = *style.golden_gpu;
+  if (there.max_difference <= golden.max_difference && there.mean_difference <= golden.mean_difference) return golden;
+  golden.max_difference = std::max(golden.max_difference, there.max_difference);
+  golden.mean_difference = std::max(golden.mean_difference, there.mean_difference);
+  golden.reason += " " + there.reason;
   return golden;
 }
 

@@ -33,7 +33,7 @@ void LivePainting::go_on_from(ParamState lights, std::vector<std::string> new_li
 }
 
 Result<void> LivePainting::get_ready() {
-  return solve_ || !new_lights_.empty() ? Result<void>() : retarget(PixelBox{});
+  return retarget(PixelBox{});
 }
 
 void LivePainting::set_importance(float nu, float delta) {

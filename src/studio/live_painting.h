@@ -43,7 +43,7 @@ class LivePainting {
 
   /// Other lights of the same rig to go on from, where they are nearer; between strokes.
   void go_on_from(ParamState lights, std::vector<std::string> new_lights);
-  /// Gets the solver ready before there is a stroke, unless the paint has to say first where lights begin.
+  /// Gets the solver ready before there is a stroke, unless the paint has not said yet where lights begin.
   /// errors the renderer's. cost a picture and the samples.
   Result<void> get_ready();
 
@@ -69,6 +69,8 @@ class LivePainting {
   [[nodiscard]] Termination termination() const {
     return solve_ && solve_->report().settled ? solve_->report().termination : Termination::kStopped;
   }
+  /// Of picture(), against the target now; 0 without lights.
+  [[nodiscard]] double epsilon() const { return solve_ ? solve_->report().epsilon : 0.0; }
   [[nodiscard]] int pictures() const { return solve_ ? solve_->report().pictures : 0; }
 
  private:

@@ -127,7 +127,7 @@ Result<void> Workbench::put_proposal() {
   report.termination = live_painting_->termination();
   report.evals = live_painting_->pictures();
   report.epsilon_start = start_epsilon_;
-  report.epsilon = live_epsilon_;
+  report.epsilon = live_painting_->epsilon();
   session_->propose(live_painting_->best(), {{}, report, live_painting_->target(), "Accept a live solve"});
   proposal_put_ = true;
   return {};
@@ -270,6 +270,14 @@ Result<bool> Workbench::step(std::chrono::milliseconds slice) {
     if (more && after) LUM_TRY_VOID(after(*session_));
     return more;
   }
+  if (follow_again_ && wants_other_quick()) {  // now, so that the next stroke need not wait for it
+    make_quick_ready();
+    return true;
+  }
+  if (std::exchange(follow_again_, false) && can_follow()) {
+    LUM_TRY_VOID(follow());
+    return resting_ = true;
+  }
   RasterRenderer* raster = undisturbed_ && !quick_stages_.empty() ? session_->stage().raster : nullptr;
   if (raster == nullptr) return follow_at_rest();
   raster->ask(undisturbed_);
@@ -285,14 +293,6 @@ Result<bool> Workbench::step(std::chrono::milliseconds slice) {
 
 /// The lights that follow the paint go on while the hand rests. returns whether there is more to gain.
 Result<bool> Workbench::follow_at_rest() {
-  if (follow_again_ && wants_other_quick()) {  // now, so that the next stroke need not wait for it
-    LUM_TRY_VOID(prepare_stroke());
-    return true;
-  }
-  if (std::exchange(follow_again_, false) && can_follow()) {
-    LUM_TRY_VOID(follow());
-    return resting_ = true;
-  }
   if (!live_painting_ || !resting_) return false;
   LUM_TRY(const LiveEvent event, live_painting_->rest());
   resting_ = event.more;

@@ -72,15 +72,15 @@ class Workbench : private WorkbenchData {
   Result<void> take_offer(std::size_t offer);
 
   /// On a machine without a graphics processor: gets a smaller stage ready for pictures while the brush moves, one of
-  /// QuickStage::kSizes each time; then what a first stroke would wait for. errors those of QuickStage::open(). cost
+  /// QuickStage::kSizes each time; then what the next stroke would wait for. errors those of QuickStage::open(). cost
   /// seconds, three times a shot.
   Result<void> prepare();
   /// Reads the style again if its files were written since the last call. returns whether they were.
   /// errors at the author's line; what is shown stays.
   Result<bool> refresh_style();
 
-  /// Whether nobody waits: where the processor draws, a picture of lights that follow at rest is given up as soon as
-  /// it says false, and made anew afterwards.
+  /// Whether nobody waits: where the processor draws, the search for lights that follow at rest is given up as soon as
+  /// it says false, and begins again afterwards from what it found.
   void give_way_unless(std::function<bool()> undisturbed) { undisturbed_ = std::move(undisturbed); }
   /// A slice of what goes on by itself. returns false when there is nothing more to do. errors the renderer's.
   Result<bool> step(std::chrono::milliseconds slice);
@@ -106,6 +106,7 @@ class Workbench : private WorkbenchData {
   Result<void> go_on_quick();
   [[nodiscard]] bool wants_other_quick() const;
   Result<void> prepare_stroke();
+  void make_quick_ready();
   void end_quick();
   /// The picture shown is a small one.
   [[nodiscard]] bool shows_quick() const { return stroke_ && stroke_->quick && quick_painting_->has_lights(); }

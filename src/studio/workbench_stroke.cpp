@@ -53,6 +53,7 @@ Result<void> Workbench::open_stroke(const Stroke& stroke, const fs::path& folder
   if (quick) {
     LUM_TRY_VOID(begin_quick(stroke, folder));
   } else if (live) {
+    canvas_.reset();  // the stroke is not on it
     if (!live_painting_) LUM_TRY_VOID(follow());
     LUM_TRY(const LiveEvent event, live_painting_->begin(stroke, folder.string()));
     note_event(event, 0.0);
@@ -83,7 +84,8 @@ Result<void> Workbench::go_on_quick() {
   live_painting_.reset();
   LUM_TRY_VOID(hand_canvas());
   const ParamState& start = session_->shown();
-  if (quick_painting_) {  // of another size, too: that is for when the hand rests
+  constexpr double kMuchTooLarge = 2.0;  // what only does better in another size waits until the hand rests
+  if (quick_painting_ && quick_of_->pixels() <= kMuchTooLarge * quick_size_.pixels()) {
     quick_painting_->go_on_from(start, waiting_lights(start.rig));
   } else {
     LUM_TRY_VOID(open_quick());
@@ -116,13 +118,23 @@ bool Workbench::wants_other_quick() const {
   return !quick_painting_ || quick_of_ != &quick_stage();
 }
 
-/// What a first stroke would wait for.
+/// What the next stroke would wait for.
 Result<void> Workbench::prepare_stroke() {
   if (!wants_other_quick()) return {};
   LUM_TRY_VOID(put_proposal());
   LUM_TRY_VOID(hand_canvas());
   LUM_TRY_VOID(open_quick());
   return quick_painting_->get_ready();
+}
+
+/// Without small pictures strokes are answered by full ones, late.
+void Workbench::make_quick_ready() {
+  const auto ready = prepare_stroke();
+  if (ready) return;
+  diagnostics_.warn(ready.error().where, ready.error().what);
+  unprepared_ = session_->stage().id;  // it would fail again
+  quick_painting_.reset();
+  quick_stages_.clear();
 }
 
 /// What the event took; paint: on a full canvas beside the small one, in seconds, or 0.
@@ -288,12 +300,14 @@ Result<void> Workbench::lay(const Stroke& stroke, const fs::path& folder) {
     if (event) live_epsilon_ = event->epsilon;
     if (!event) quick_painting_.reset();
   } else if (can_follow()) {
+    canvas_.reset();  // the stroke is not on it
     if (!live_painting_) LUM_TRY_VOID(follow());
     LUM_TRY(const LiveEvent event, live_painting_->bucket(stroke, folder.string()));
     note_event(event, 0.0);
     resting_ = true;
   } else {
     live_painting_.reset();
+    quick_painting_.reset();
     canvas_.reset();
   }
   auto done = record([&](Session& session) { return session.paint(file_of(stroke), file_in(folder)); });

@@ -63,6 +63,31 @@ TEST_F(WorkbenchPicturesTest, APictureAtRestIsGivenUpWhenSomebodyWaits) {
   EXPECT_EQ(document_hash(), before);
 }
 
+TEST_F(WorkbenchPicturesTest, ASearchAtRestIsGivenUpAndBeginsAgainFromWhatItFound) {
+  if (!device_->info().software) GTEST_SKIP() << "elsewhere nothing is given up";
+  open(400, 300);
+  add_dark_light();
+  draw_without_lifting();
+  LUM_EXPECT_OK(bench_->end_stroke());
+  bool alone = true;
+  bench_->give_way_unless([&] { return alone; });
+  for (int i = 0; i < 8; ++i) LUM_EXPECT_OK(bench_->step(milliseconds(1)));
+  ASSERT_TRUE(look()->proposal);
+  const double found = look()->report->epsilon;
+  alone = false;
+  for (int i = 0; i < 8; ++i) {
+    LUM_ASSERT_OK(const bool more, bench_->step(milliseconds(1)));
+    EXPECT_TRUE(more) << "nobody gets to the end of it";
+  }
+  EXPECT_TRUE(look()->proposal);
+  alone = true;
+  for (int i = 0; i < 20; ++i) {
+    LUM_ASSERT_OK(const bool more, bench_->step(milliseconds(20)));
+    if (!more) break;
+  }
+  EXPECT_LE(look()->report->epsilon, found);
+}
+
 TEST_F(WorkbenchPicturesTest, WhatIsStoppedIsShownWhole) {
   if (!device_->info().software) GTEST_SKIP() << "elsewhere no picture is small";
   open(400, 300);
