@@ -23,10 +23,10 @@ void GoalPicker::begin_goal(Desk& desk, const Vec2& to) {
   drag.to = in_heights(desk, to);
   if (desk.now->shown->rig.find(desk.selected) != nullptr) drag.light = desk.selected;
   desk.studio->post("find what was dragged", [drag, studio = desk.studio](Workbench& bench) -> Result<void> {
-    if (!bench.has_session()) return {};
+    if (!bench.has_session() || studio->cancelled()) return {};  // Esc ends the drags that wait, too
     std::string light;
     LUM_TRY_VOID(bench.act([&](Session& session) -> Result<void> {
-      LUM_TRY(light, start_drag(session, drag, {}));
+      LUM_TRY(light, start_drag(session, drag, {}, [studio] { return !studio->cancelled(); }));
       return {};
     }));
     const char* what = drag.what == Drag::What::kShadow ? "the shadow of " : "the highlight of ";

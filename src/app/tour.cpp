@@ -43,7 +43,8 @@ void Tour::draw(Desk& desk, const ScreenRect& canvas) {
   if (step_ >= static_cast<int>(kSteps.size()) || !desk.has_shot() || desk.hand_down) return;
   advance(desk);
   const Theme& theme = desk.theme;
-  const float width = std::min(theme.px(600.0F), canvas.size().x - theme.px(150.0F));
+  if (canvas.size().x < theme.px(340.0F)) return;  // it waits for room
+  const float width = std::clamp(canvas.size().x - theme.px(150.0F), theme.px(316.0F), theme.px(600.0F));
   ImGui::SetNextWindowPos({canvas.hi.x - theme.px(12.0F), canvas.hi.y - theme.px(12.0F)}, ImGuiCond_Always,
                           {1.0F, 1.0F});
   ImGui::SetNextWindowSize({width, 0.0F});

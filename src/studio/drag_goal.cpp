@@ -169,16 +169,6 @@ Result<ParamState> nearest_start(Session& session, const ParamState& lights, con
   return best;
 }
 
-/// What a light does at a pixel: adds, or would add if nothing stood in its way.
-Result<float> effect(Renderer& renderer, const ParamState& state, std::size_t light, std::size_t pixel, bool shadows) {
-  ParamState without = state;
-  without.rig.lights[light].muted = true;
-  const RenderOptions options{.shadows = shadows};
-  LUM_TRY(const Image with, renderer.render(state, options));
-  LUM_TRY(const Image rest, renderer.render(without, options));
-  return brightness(with.rgb(pixel) - rest.rgb(pixel));
-}
-
 /// A place that is brighter than what lies about it.
 struct Spot {
   Vec2 place{0.0F};  ///< picture heights
@@ -237,7 +227,7 @@ Result<StrokeFile> drag_strokes(Session& session, const Drag& drag) {
   return file;
 }
 
-Result<std::string> dragged_light(Session& session, const Drag& drag) {
+Result<std::string> dragged_light(Session& session, const Drag& drag, const std::function<bool()>& go_on) {
   const ParamState& state = session.shown();
   if (!drag.light.empty()) {
     if (state.rig.find(drag.light) != nullptr) return drag.light;
@@ -245,19 +235,26 @@ Result<std::string> dragged_light(Session& session, const Drag& drag) {
   }
   Renderer& renderer = *session.stage().renderer;
   LUM_TRY(const std::size_t pixel, pixel_at(renderer.surface(), drag.from, "from"));
+  const RenderOptions options{.shadows = drag.what == Drag::What::kHighlight};
+  LUM_TRY(const Image all, renderer.render(state, options));
   std::string name;
   float most = 1e-5F;
   for (std::size_t i = 0; i < state.rig.lights.size(); ++i) {
     if (state.rig.lights[i].muted) continue;
-    LUM_TRY(const float adds, effect(renderer, state, i, pixel, drag.what == Drag::What::kHighlight));
+    if (go_on && !go_on()) return Error{ErrorKind::kCancelled, "the drag was cancelled", "", "", ""};
+    ParamState without = state;
+    without.rig.lights[i].muted = true;
+    LUM_TRY(const Image rest, renderer.render(without, options));
+    const float adds = brightness(all.rgb(pixel) - rest.rgb(pixel));
     if (adds > most) most = adds, name = state.rig.lights[i].name;
   }
   if (!name.empty()) return name;
   return Error{ErrorKind::kNothingToDo, "no light shines here", "", "from", "add a light, or name one"};
 }
 
-Result<std::string> start_drag(Session& session, const Drag& drag, const SolveOptions& options) {
-  LUM_TRY(const std::string name, dragged_light(session, drag));
+Result<std::string> start_drag(Session& session, const Drag& drag, const SolveOptions& options,
+                               const std::function<bool()>& go_on) {
+  LUM_TRY(const std::string name, dragged_light(session, drag, go_on));
   LUM_TRY(const StrokeFile strokes, drag_strokes(session, drag));
   LUM_TRY(const LayerStack layers, session.layers().stack());
   LUM_TRY_VOID(check_paintable(layers));

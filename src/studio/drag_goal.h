@@ -1,5 +1,6 @@
 #pragma once
 // studio/drag_goal.h -- a highlight, or the edge of a shadow, that is dragged: paint, and a solve, by one gesture.
+#include <functional>
 #include <string>
 
 #include "studio/session.h"
@@ -34,14 +35,16 @@ Result<Highlight> find_highlight(const Image& picture, const SurfaceBuffer& surf
 Result<StrokeFile> drag_strokes(Session& session, const Drag& drag);
 
 /// The light whose highlight or shadow it is: of those that are on, the one that adds most at the place, or would
-/// without shadows. errors kNothingToDo if none does, the renderer's.
-Result<std::string> dragged_light(Session& session, const Drag& drag);
+/// without shadows. errors kNothingToDo if none does, kCancelled if go_on says no, the renderer's. cost a picture a
+/// light.
+Result<std::string> dragged_light(Session& session, const Drag& drag, const std::function<bool()>& go_on = {});
 
 /// Paints the strokes (one command) and begins a solve in which the place and the direction of that light alone are
 /// free, also when it is accepted, and little counts but these strokes. A highlight starts where the mirrored view, or
 /// the normal, says that the light should stand, if that is nearer to the paint than where it stands. returns the
 /// light's name. errors as above, and those of Session::paint() and start_solve().
-Result<std::string> start_drag(Session& session, const Drag& drag, const SolveOptions& options);
+Result<std::string> start_drag(Session& session, const Drag& drag, const SolveOptions& options,
+                               const std::function<bool()>& go_on = {});
 
 /// How near a highlight came: of the peaks of what the light adds to the object at drag.to, those at least half as
 /// bright as the brightest, the one that is nearest.

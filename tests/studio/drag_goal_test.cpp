@@ -128,6 +128,15 @@ TEST_F(DragGoalTest, ADragOverNothingIsAnErrorAndRecordsNothing) {
   EXPECT_EQ(hash(), before);
 }
 
+TEST_F(DragGoalTest, IsCancelledBetweenTheLightsItLooksAt) {
+  const std::string before = hash();
+  Drag drag;
+  drag.from = Vec2(0.506F, 0.410F);
+  drag.to = drag.from + Vec2(-0.10F, 0.03F);
+  EXPECT_EQ(error_of(start_drag(*session_, drag, few_evals(), [] { return false; })).kind, ErrorKind::kCancelled);
+  EXPECT_EQ(hash(), before);
+}
+
 TEST_F(DragGoalTest, OnAHiddenLayerItLeavesWhatWasProposed) {
   Drag drag;
   drag.from = Vec2(0.506F, 0.410F);
