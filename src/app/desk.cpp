@@ -133,13 +133,10 @@ void add_light(Desk& desk, bool only_first) {
 void save(Desk& desk) {
   if (!desk.has_shot()) return;
   if (desk.now->history.unsaved) return desk.ask(Question::kSaveAs);
-  desk.studio->post_patiently("save", [studio = desk.studio](Workbench& bench) -> Result<void> {
-    if (!bench.has_session()) return {};
-    return bench.act([studio](Session& session) -> Result<void> {
-      LUM_TRY_VOID(session.save());
-      studio->tell({StudioMessage::Kind::kNote, "saved to " + session.project().folder().string(), "", ""});
-      return {};
-    });
+  desk.studio->act_patiently("save", [studio = desk.studio](Session& session) -> Result<void> {
+    LUM_TRY_VOID(session.save());
+    studio->tell({StudioMessage::Kind::kNote, "saved to " + session.project().folder().string(), "", ""});
+    return {};
   });
 }
 

@@ -21,9 +21,8 @@ namespace luminist {
 /// sample_count() samples, and the colour of a pixel is that of its centre, or the mean of its four edge samples.
 ///
 ///   position  xyz world, w = uintBitsToFloat(1 + object index); w = 0: nothing is there and all is zero
-///   normal    xyz unit shading normal that faces the eye, w = uintBitsToFloat(1 + material index | line << 28), where
-///   line
-///             is a LINE_... of shaders/lib/surface.glsl
+///   normal    xyz unit shading normal that faces the eye, w = uintBitsToFloat(1 + material index | line << 28),
+///             where line is a LINE_... of shaders/lib/surface.glsl
 ///   albedo    rgb diffuse reflectance = base colour * (1 - metallic), w = roughness
 ///   specular  rgb reflectance at normal incidence = mix(0.04 specular, base colour, metallic),
 ///             w = the share of it that has no colour = 0.04 specular (1 - metallic)

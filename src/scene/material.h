@@ -18,10 +18,10 @@ struct Texture {
   [[nodiscard]] float red_at(const Vec2& uv) const;
 };
 
-/// Factors multiply textures; a texture index of -1 means none.
 /// What everything that is no metal reflects head-on (glTF 2.0, appendix B).
 inline constexpr float kDielectric = 0.04F;
 
+/// Factors multiply textures; a texture index of -1 means none.
 struct Material {
   std::string name;
   Vec3 base_color{0.8F};  ///< linear

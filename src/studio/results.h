@@ -32,7 +32,7 @@ Result<Results> collect_results(const Session& session, const ParamState& lights
 
 /// picture.{exr,png}, target.{exr,png}, importance.{exr,png} (black counts most, as in the paper's figures),
 /// residual.{exr,png} (a heat map over its scale), rig.toml, style.json, materials.json if one is turned (else it is
-/// removed), after a solve convergence.{jsonl,png}, and after a verdict verdict.json. /// errors kUnwritable, kChild.
+/// removed), after a solve convergence.{jsonl,png}, and after a verdict verdict.json. errors kUnwritable, kChild.
 Result<void> write_results(const Results& results, const std::filesystem::path& folder);
 
 /// Importance as the paper prints it: 1 is black.

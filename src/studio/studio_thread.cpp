@@ -87,6 +87,12 @@ void StudioThread::act(std::string label, Workbench::Task task, Workbench::After
   });
 }
 
+void StudioThread::act_patiently(std::string label, Workbench::Task task) {
+  post_patiently(std::move(label), [task = std::move(task)](Workbench& bench) -> Result<void> {
+    return bench.has_session() ? bench.act(task) : Result<void>();
+  });
+}
+
 void StudioThread::change(std::string label, Workbench::Task task, Workbench::After after) {
   post(std::move(label), [task = std::move(task), after](Workbench& bench) -> Result<void> {
     return bench.has_session() ? bench.change(task, after) : Result<void>();

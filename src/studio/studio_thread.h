@@ -48,9 +48,10 @@ class StudioThread {
 
   /// label says what is done, for a line that tells what keeps the lighter waiting.
   void post(std::string label, Job job);
-  /// What only the window wants to see: nothing that is under way is given up for it.
+  /// What can wait, as what only the window wants to see: nothing that is under way is given up for it.
   void post_patiently(std::string label, Job job);
   void act(std::string label, Workbench::Task task, Workbench::After after = Workbench::After::kStay);
+  void act_patiently(std::string label, Workbench::Task task);
   void change(std::string label, Workbench::Task task, Workbench::After after = Workbench::After::kStay);
   void repaint(std::string label, Workbench::Task task);
   void begin_stroke(Stroke stroke, std::filesystem::path folder);

@@ -127,7 +127,7 @@ Result<void> Workbench::prepare_stroke() {
   return quick_painting_->get_ready();
 }
 
-/// Without small pictures strokes are answered by full ones, late.
+/// Where it fails strokes are answered by full pictures, late.
 void Workbench::make_quick_ready() {
   const auto ready = prepare_stroke();
   if (ready) return;

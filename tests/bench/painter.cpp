@@ -4,7 +4,7 @@
 #include <cmath>
 #include <filesystem>
 
-#include "explore/locks.h"
+#include "studio/stage.h"
 
 namespace luminist {
 namespace {
@@ -72,13 +72,8 @@ std::vector<Stroke> dab_cells(const Brush& brush, const Image* picture, std::spa
 Result<Canvas> canvas_on(const BenchStage& stage, const ParamState& state) {
   Renderer& renderer = stage.renderer();
   LUM_TRY(Image picture, renderer.render(state));
-  const auto shadow_picture = [&renderer, state](ShadowPicture which) -> Result<Image> {
-    if (which == ShadowPicture::kShadowsOff) return renderer.render(state, RenderOptions{.shadows = false});
-    ParamState off = state;
-    for (Light& light : off.rig.lights) light.muted = light.muted || is_free(light);
-    return renderer.render(off);
-  };
-  return Canvas(renderer.surface(), std::move(picture), shadow_picture);
+  return Canvas(renderer.surface(), std::move(picture),
+                [&renderer, state](ShadowPicture which) { return render_shadow_picture(renderer, state, which); });
 }
 
 Result<StrokeFile> committed_strokes(const std::string& file) {
