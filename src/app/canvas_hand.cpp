@@ -78,6 +78,7 @@ void CanvasPanel::begin_stroke(Desk& desk, const HandEvent& event) {
   }
   const bool first = desk.now->shown->rig.lights.empty() && stroke.brush.tool == PaintTool::kColor;
   if (first) add_light(desk, true);
+  desk.handles_aside = true;
   desk.studio->begin_stroke(stroke, std::filesystem::current_path());
   ink_.begin(stroke);
   if (stroke.brush.bucket) return ink_.end();

@@ -33,6 +33,11 @@ void set_opacity(Desk& desk, int digit) {
   desk.box.set_opacity(digit == 0 ? 1.0F : 0.1F * static_cast<float>(digit));
 }
 
+/// Handles that stand aside come back first.
+void toggle_handles(Desk& desk) {
+  if (!std::exchange(desk.handles_aside, false)) desk.shape_handles = !desk.shape_handles;
+}
+
 void toggle_goal(Desk& desk, DragGoal goal) {
   desk.goal = desk.goal == goal ? DragGoal::kNone : goal;
   desk.orbit = false;
@@ -83,7 +88,7 @@ bool perform_here(Desk& desk, Deed deed, int digit) {
     case Deed::kDragShadow:
       return toggle_goal(desk, DragGoal::kShadow), true;
     case Deed::kHandles:
-      return desk.shape_handles = !desk.shape_handles, true;
+      return toggle_handles(desk), true;
     case Deed::kFit:
       return desk.view.fit(), true;
     case Deed::kFullSize:

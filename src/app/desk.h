@@ -48,6 +48,7 @@ struct Desk {
   std::shared_ptr<const Image> kept;  ///< a picture to compare with; null: none
   bool orbit = false;                 ///< the shot from anywhere, in place of the canvas
   bool shape_handles = true;          ///< a light that is selected shows its barn and cutoffs
+  bool handles_aside = false;         ///< the hand paints: handles on the picture do not stand in its way
   bool software = false;              ///< the processor draws the window, too
   std::uint32_t pointed_stroke = 0;   ///< the canvas marks where it lies; 0: none
   std::uint32_t selected_stroke = 0;  ///< that the edit tool changes; 0: none

@@ -68,9 +68,11 @@ LightHandles::Part LightHandles::part_at(const Desk& desk, const Vec2& screen) c
   if (!pose_ || light_ != desk.selected) return Part::kNone;
   const float reach = desk.theme.px(10.0F);
   const auto near = [&](const std::optional<Vec2>& handle) { return handle && glm::length(*handle - screen) < reach; };
+  const bool ball = aim_ && glm::length(ball_center(desk) - screen) < ball_radius(desk) + desk.theme.px(4.0F);
+  if (desk.handles_aside) return ball ? Part::kBall : Part::kNone;
   if (near(on_screen(desk, pose_->position))) return Part::kPlace;
   if (aim_ && shines_at(*pose_) && near(on_screen(desk, *aim_))) return Part::kAim;
-  if (aim_ && glm::length(ball_center(desk) - screen) < ball_radius(desk) + desk.theme.px(4.0F)) return Part::kBall;
+  if (ball) return Part::kBall;
   return shape_at(desk, screen) ? Part::kShape : Part::kNone;
 }
 
@@ -94,6 +96,7 @@ bool LightHandles::press(Desk& desk, const Vec2& screen) {
   taken_ = part_ == Part::kShape ? shape_at(desk, screen) : std::nullopt;
   if (part_ == Part::kAim) wanted_ = *on_screen(desk, *aim_);
   if (part_ == Part::kBall) move(desk, screen, false);
+  if (held()) desk.handles_aside = false;
   return held();
 }
 
@@ -190,9 +193,7 @@ void LightHandles::draw_ball(const Desk& desk) const {
   knob(list, dot, desk.theme.px(5.0F), paint_colors::kAccent, way.z >= 0.0F);
 }
 
-void LightHandles::draw(Desk& desk) {
-  look(desk);
-  if (!pose_ || light_ != desk.selected) return;
+void LightHandles::draw_on_picture(const Desk& desk) const {
   ImDrawList& list = *ImGui::GetWindowDrawList();
   const auto place = on_screen(desk, pose_->position);
   std::optional<Vec2> aim;
@@ -216,6 +217,12 @@ void LightHandles::draw(Desk& desk) {
         desk.theme, list, [&](const Vec3& at) { return on_screen(desk, at); }, *pose_, shape_, reach(desk),
         pointed ? std::optional(pointed->part) : std::nullopt);
   }
+}
+
+void LightHandles::draw(Desk& desk) {
+  look(desk);
+  if (!pose_ || light_ != desk.selected) return;
+  if (!desk.handles_aside) draw_on_picture(desk);
   if (aim_) draw_ball(desk);
 }
 

@@ -15,6 +15,7 @@ namespace luminist {
 /// for a light outside of the picture, and the wheel over the ball moves the light nearer and farther. While
 /// Desk::shape_handles is set: the edge of the light with a square on each of its four sides, and squares on its axis
 /// for the near and the far cutoff. Shift: a tenth of the way. Shown at once, one command when the hand lets go.
+/// A brush puts all but the ball aside (Desk::handles_aside): the next stroke may begin where the light shines.
 class LightHandles {
  public:
   /// returns whether the hand took a handle.
@@ -39,6 +40,7 @@ class LightHandles {
   void move_aim(const Desk& desk);
   void move_ball(const Desk& desk);
   void move_shape(const Desk& desk);
+  void draw_on_picture(const Desk& desk) const;
   void draw_ball(const Desk& desk) const;
   [[nodiscard]] std::vector<std::string> assignments(const Light& light) const;
   void record(Desk& desk);

@@ -207,6 +207,7 @@ void LightsPanel::light_menu(Desk& desk, const Light& light) {
       return {};
     });
     desk.selected = desk.now->shown->rig.unused_name(name);
+    desk.handles_aside = false;
   }
   if (ImGui::BeginMenu("Group")) {
     group_choices(desk, light);
@@ -250,8 +251,10 @@ void LightsPanel::light_row(Desk& desk, const Light& light) {
     clicked_twice_ = light.name;
     desk.selected = light.name;
   } else if (row.clicked && renaming_ != light.name) {
-    desk.selected = selected ? "" : light.name;
+    // The click that asks for handles again is none to leave the light.
+    desk.selected = selected && !desk.handles_aside ? "" : light.name;
   }
+  if (row.clicked) desk.handles_aside = false;
   const float indent = light.group.empty() ? 4.0F : 20.0F;
   ImGui::SetCursorPos({row.start.x + desk.theme.px(indent), row.start.y});
   swatch(desk, light);

@@ -109,6 +109,7 @@ bool OrbitPanel::take_handle(Desk& desk, const ScreenRect& rect, const Vec2& scr
     const auto pose = held ? pose_ : pose_of(light, facts_->frame);
     if (!pose || !near(on_screen(rect, pose->position), 12.0F)) continue;
     desk.selected = light.name;
+    desk.handles_aside = false;
     look(desk);
     return grip_ = Grip::kLight, true;
   }
