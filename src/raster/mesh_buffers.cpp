@@ -27,6 +27,7 @@ struct MeshRange {
   GLint base_vertex = 0;
   std::size_t first_index = 0;
   std::size_t index_count = 0;
+  Box bounds;
 };
 
 /// The vertices and triangles of all meshes, one after the other.
@@ -60,6 +61,7 @@ MeshRange append(const Mesh& mesh, Lists& lists) {
   }
   append_triangles(mesh, lists.indices);
   range.index_count = lists.indices.size() - range.first_index;
+  range.bounds = mesh.bounds();
   return range;
 }
 
@@ -92,8 +94,8 @@ MeshRange append_mesh(const Scene& scene, int mesh_index, bool strokes, Lists& l
 using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 
 /// Triangles as they are wound, of positions that begin at base_vertex.
-MeshRange append_wound(const Triangles& triangles, GLint base_vertex, Lists& lists) {
-  MeshRange range{base_vertex, lists.indices.size(), 3 * triangles.size()};
+MeshRange append_wound(const Triangles& triangles, GLint base_vertex, const Box& bounds, Lists& lists) {
+  MeshRange range{base_vertex, lists.indices.size(), 3 * triangles.size(), bounds};
   for (const auto& t : triangles) lists.indices.insert(lists.indices.end(), t.begin(), t.end());
   return range;
 }
@@ -111,8 +113,10 @@ CasterRanges append_caster(const Mesh& mesh, Lists& lists) {
   const auto base_vertex = static_cast<GLint>(lists.positions.size());
   lists.positions.insert(lists.positions.end(), ranges.caster.positions.begin(), ranges.caster.positions.end());
   lists.attributes.resize(lists.positions.size());
-  ranges.closed = append_wound(ranges.caster.closed, base_vertex, lists);
-  ranges.open = append_wound(ranges.caster.open, base_vertex, lists);
+  Box bounds;
+  for (const Vec3& position : ranges.caster.positions) bounds.extend(position);
+  ranges.closed = append_wound(ranges.caster.closed, base_vertex, bounds, lists);
+  ranges.open = append_wound(ranges.caster.open, base_vertex, bounds, lists);
   return ranges;
 }
 
@@ -124,7 +128,8 @@ MeshDraw draw_of(const Scene& scene, std::size_t index, const MeshRange& range, 
           range.first_index * sizeof(std::uint32_t),
           range.base_vertex,
           object.world_from_object,
-          leaving};
+          leaving,
+          range.bounds};
 }
 
 struct Draws {

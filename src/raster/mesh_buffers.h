@@ -20,6 +20,7 @@ struct MeshDraw {
   GLint base_vertex = 0;
   Mat4 world_from_object{1.0F};
   bool leaving = false;  ///< of a shadow mesh: blocks light only where it leaves, at triangles whose back it meets
+  Box bounds{};          ///< of what the buffers hold of it, before world_from_object
 };
 
 /// How normals turn with an object: the inverse transpose up to a positive factor, and still right for an object that

@@ -53,6 +53,22 @@ Mat4 clip_from_world(const ShadowLight& light, const Mat3& view, float near_plan
   return projection * rotation * move;
 }
 
+/// Whether a box may be seen in a map: not if all of its corners are beyond one of the map's sides, or behind the
+/// light.
+bool may_show(const Mat4& clip_from_object, const Box& box) {
+  constexpr float kSlack = 1.0001F;  // of the sides: corners are rounded
+  std::array<int, 5> beyond{};
+  for (int corner = 0; corner < 8; ++corner) {
+    const Vec3 at((corner & 1) != 0 ? box.hi.x : box.lo.x, (corner & 2) != 0 ? box.hi.y : box.lo.y,
+                  (corner & 4) != 0 ? box.hi.z : box.lo.z);
+    const Vec4 clip = clip_from_object * Vec4(at, 1.0F);
+    const float side = kSlack * clip.w;
+    const std::array<bool, 5> out{clip.x > side, clip.x<-side, clip.y> side, clip.y < -side, clip.w < 0.0F};
+    for (std::size_t i = 0; i < out.size(); ++i) beyond[i] += out[i] ? 1 : 0;
+  }
+  return std::ranges::find(beyond, 8) == beyond.end();
+}
+
 /// As far from the light as no triangle is nearer, along the axis of any view; but not so near that depth gets coarse.
 float near_plane_of(const ShadowLight& light, const Box& bounds) {
   if (light.parallel()) {
@@ -118,7 +134,9 @@ Result<ShadowMaps::Map> ShadowMaps::draw_map(const ShadowLight& light) {
     glClearNamedFramebufferfv(framebuffer_.name(), GL_DEPTH, 0, &infinitely_far);
     const Mat4 clip = clip_from_world(light, views[layer], map.near_plane);
     for (const MeshDraw& draw : meshes_->shadow_draws()) {
-      draw_program_.set("clip_from_object", clip * draw.world_from_object);
+      const Mat4 clip_from_object = clip * draw.world_from_object;
+      if (!may_show(clip_from_object, draw.bounds)) continue;  // vertices are what a map costs without a GPU
+      draw_program_.set("clip_from_object", clip_from_object);
       (draw.leaving ? glEnable : glDisable)(GL_CULL_FACE);
       // Right, up and axis of a view are right-handed where OpenGL's are not: the backs of triangles wind as its
       // fronts.

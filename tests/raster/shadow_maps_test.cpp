@@ -5,13 +5,10 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <optional>
-#include <span>
 #include <vector>
 
-#include "raster/mesh_scenes.h"
+#include "raster/shadow_stage.h"
 #include "rays/ray_scene.h"
-#include "support/fixtures.h"
 
 namespace luminist {
 namespace {
@@ -20,51 +17,6 @@ using test::add;
 using test::laid_down;
 using test::looking;
 using test::moved;
-
-ShadowLight spot(const Vec3& position, const Vec3& at, float extent = 0.5F, float softness = 0.008F, int size = 512) {
-  return {ShadowKind::kSpot, position, glm::normalize(at - position), extent, softness, size};
-}
-
-ShadowLight cube(const Vec3& position, float softness = 0.008F) {
-  return {ShadowKind::kCube, position, Vec3(0, 0, -1), 1.0F + 4.0F * softness, softness, 1024};
-}
-
-/// A scene on the device with its deep framebuffer and its maps.
-struct Stage {
-  Stage(Device& device, const Scene& scene, const Camera& camera, int width, int height, bool strokes = false)
-      : meshes(MeshBuffers::create(device, scene, strokes).value()),
-        deep(DeepFramebuffer::create(device, AssetRoots::standard(), meshes, scene, camera, width, height).value()),
-        maps(ShadowMaps::create(device, AssetRoots::standard(), meshes).value()) {}
-
-  /// Visibility of every pixel centre, light by light.
-  std::vector<std::vector<float>> visibility(const std::vector<ShadowLight>& lights) {
-    const auto done = maps.update(deep, lights);
-    EXPECT_TRUE(done) << done.error().message();
-    std::vector<std::vector<float>> rows(lights.size(), std::vector<float>(deep.pixel_count()));
-    for (std::size_t i = 0; i < lights.size(); ++i) {
-      maps.visibility().read(i * deep.sample_count() * sizeof(float), std::span(rows[i]));
-    }
-    return rows;
-  }
-  std::vector<float> visibility(const ShadowLight& light) { return visibility(std::vector{light})[0]; }
-
-  MeshBuffers meshes;
-  DeepFramebuffer deep;
-  ShadowMaps maps;
-};
-
-class ShadowMapsTest : public ::testing::Test {
- protected:
-  void SetUp() override {
-    auto made = Device::create_headless({.debug = true});
-    ASSERT_TRUE(made) << made.error().message();
-    device_.emplace(std::move(made).value());
-  }
-  void TearDown() override {
-    for (const DeviceMessage& message : device_->take_messages()) EXPECT_FALSE(message.error) << message.text;
-  }
-  std::optional<Device> device_;
-};
 
 /// A square of half side 0.5 at height 1 over a floor at height 0, and a camera that looks down past it.
 Scene square_over_floor() {
