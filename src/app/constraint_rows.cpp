@@ -1,4 +1,5 @@
-// What holds of a light whoever moves it: where it may stand, and what it has of others, as a list to be ticked.
+// What holds of a light whoever moves it: where it may stand, its ranges, and what it has of others, as a list to be
+// ticked.
 #include <algorithm>
 
 #include <fmt/format.h>
@@ -10,10 +11,22 @@
 namespace luminist {
 namespace {
 
+/// In the units of the widgets.
+std::string range_words(const Desk& desk, const std::string& name, const Between& range) {
+  const Light* light = desk.now->shown->rig.find(name);
+  const auto numbers = light != nullptr ? limited_numbers(*light, range.param) : std::nullopt;
+  if (!numbers) return range.param;
+  const ParamSpec& spec = light->params.schema()[numbers->param];
+  const SceneFrame& frame = desk.now->facts->frame;
+  return fmt::format("{} {:.4g} to {:.4g}", range.param, spec.written(numbers->first, range.low, frame),
+                     spec.written(numbers->first, range.high, frame));
+}
+
 /// As short as a list can say it.
 std::string short_words(const Desk& desk, const Constraint& constraint) {
   if (const auto* at = std::get_if<AtDistance>(&constraint.rule))
     return fmt::format("at distance {:.3g}", at->distance);
+  if (const auto* range = std::get_if<Between>(&constraint.rule)) return range_words(desk, constraint.light, *range);
   if (const auto* mirror = std::get_if<MirrorOf>(&constraint.rule)) return "mirror of " + mirror->light;
   if (const auto* same = std::get_if<SameColor>(&constraint.rule)) return "colour of " + same->light;
   return rule_words(constraint, desk.now->facts->surface, desk.now->facts->bounds);
@@ -25,14 +38,11 @@ void constrain(Desk& desk, const std::string& words) {
 }
 
 void release(Desk& desk, const Constraint& gone) {
-  const auto same = [name = gone.light, kind = gone.rule.index()](const Constraint& each) {
-    return each.light == name && each.rule.index() == kind;
-  };
   desk.studio->change(
       "free a light",
-      [same](Session& session) {
+      [gone](Session& session) {
         std::vector<Constraint> kept = session.state().rig.constraints;
-        std::erase_if(kept, same);
+        std::erase_if(kept, [&](const Constraint& each) { return same_kind(each, gone); });
         return session.set_constraints(std::move(kept));
       },
       Workbench::After::kFollow);
@@ -79,6 +89,17 @@ void places(Desk& desk, const Light& light) {
        "It keeps its distance from what it shines at, or from the middle of the scene, and may go around that.");
 }
 
+void ranges(Desk& desk, const Light& light) {
+  ImGui::TextDisabled("Stays in a range");
+  bool any = false;
+  for (const Constraint& each : desk.now->shown->rig.constraints) {
+    if (each.light != light.name || !std::holds_alternative<Between>(each.rule)) continue;
+    any = true;
+    line(desk, short_words(desk, each), &each, "", "Without the tick it is free again.");
+  }
+  if (!any) ImGui::TextDisabled("Right click on the name of a number below.");
+}
+
 void others(Desk& desk, const Light& light) {
   const LightRig& rig = desk.now->shown->rig;
   const std::string path = "lights/" + light.name;
@@ -110,10 +131,12 @@ void constraint_list(Desk& desk, const Light& light) {
     if (constraint.light == light.name) now += (now.empty() ? "" : ", ") + short_words(desk, constraint);
   }
   row_label(desk.theme, "Holds",
-            "What is so whoever turns the lights, you or a solve: where this one may stand, what it has of another.");
+            "What is so whoever turns the lights, you or a solve: where this one may stand, in what range a number is, "
+            "what it has of another.");
   ImGui::SetNextItemWidth(-1.0F);
   if (!ImGui::BeginCombo("##holds", now.empty() ? "nothing" : now.c_str(), ImGuiComboFlags_HeightLargest)) return;
   if (light.params.schema().by_role("position")) places(desk, light);
+  ranges(desk, light);
   others(desk, light);
   ImGui::EndCombo();
 }

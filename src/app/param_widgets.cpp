@@ -63,7 +63,9 @@ ColorEdit slider(const char* id, float& value, float least, float most, const ch
   return edited(value_slider(id, &value, least, most, format, flags));
 }
 
-ColorEdit numbers(const ParamSpec& spec, std::array<float, 3>& values, float width) {
+ColorEdit numbers(const ParamBlock& block, int param, const SceneFrame& frame, std::array<float, 3>& values,
+                  float width) {
+  const ParamSpec& spec = block.schema()[param];
   static constexpr std::array<const char*, 3> ids = {"##0", "##1", "##2"};
   const int count = spec.components();
   const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
@@ -72,9 +74,11 @@ ColorEdit numbers(const ParamSpec& spec, std::array<float, 3>& values, float wid
   for (int c = 0; c < count; ++c) {
     const auto i = static_cast<std::size_t>(c);
     if (c > 0) ImGui::SameLine(0.0F, gap);
+    const ParamRange range = block.range(param, c, frame);
+    const auto low = static_cast<float>(spec.written(c, range.low, frame));
+    const auto high = static_cast<float>(spec.written(c, range.high, frame));
     const ColorEdit one =
-        slider(ids[i], values[i], static_cast<float>(spec.range_min[i]), static_cast<float>(spec.range_max[i]),
-               count == 1 ? "%.3f" : "%.2f", spec.scale == ParamScale::kLog, each);
+        slider(ids[i], values[i], low, high, count == 1 ? "%.3f" : "%.2f", spec.scale == ParamScale::kLog, each);
     all.changed |= one.changed;
     all.done |= one.done;
   }
@@ -90,13 +94,18 @@ ColorEdit direction(std::array<float, 3>& values, float width) {
   return {turn.changed || height.changed, turn.done || height.done};
 }
 
-std::string tip_of(const ParamSpec& spec) {
+std::string tip_of(const ParamBlock& block, int param, const SceneFrame& frame, const std::string& path) {
+  const ParamSpec& spec = block.schema()[param];
   std::string text = spec.doc;
   if (!spec.unit.empty()) text += "\nUnit: " + spec.unit + ".";
   if (!spec.range_min.empty() && spec.type != ParamType::kBool && spec.type != ParamType::kChoice) {
-    text += fmt::format("\nRange: {:g} to {:g}.", spec.range_min.front(), spec.range_max.front());
+    const ParamRange range = block.range(param, 0, frame);
+    text +=
+        fmt::format("\nRange: {:g} to {:g}.", spec.written(0, range.low, frame), spec.written(0, range.high, frame));
   }
-  return text + "\nCtrl+click on a slider to type a number.";
+  text += "\nCtrl+click on a slider to type a number.";
+  if (takes_ranges(spec, path)) text += "\nRight click on the name to hold it in a range.";
+  return text;
 }
 
 std::string title(std::string name) {
@@ -169,11 +178,15 @@ void lock_button(Desk& desk, const char* id, int locked, int all, const std::vec
       Workbench::After::kFollow);
 }
 
-ColorEdit ParamWidgets::widget(const Desk& desk, const ParamSpec& spec, Values& values, float width) {
+ColorEdit ParamWidgets::widget(const Desk& desk, const ParamBlock& block, int param, Values& values, float width) {
+  const ParamSpec& spec = block.schema()[param];
   switch (spec.type) {
     case ParamType::kColor: {
       Vec3 color(values[0], values[1], values[2]);
-      const float most = static_cast<float>(*std::max_element(spec.range_max.begin(), spec.range_max.end()));
+      float most = 0.0F;
+      for (int c = 0; c < 3; ++c) {
+        most = std::max(most, static_cast<float>(block.range(param, c, desk.now->facts->frame).high));
+      }
       const ColorEdit edit = color_field(desk.theme, "color", color, most, width);
       values = {color.x, color.y, color.z};
       return edit;
@@ -208,7 +221,7 @@ ColorEdit ParamWidgets::widget(const Desk& desk, const ParamSpec& spec, Values& 
       return edited(changed);
     }
     default:
-      return numbers(spec, values, width);
+      return numbers(block, param, desk.now->facts->frame, values, width);
   }
 }
 
@@ -226,6 +239,18 @@ void ParamWidgets::turned(Desk& desk, const ParamSpec& spec, const std::string& 
   }
 }
 
+/// In the accent's colour where a range holds it.
+void ParamWidgets::name(Desk& desk, const ParamBlock& block, int param, const std::string& path) {
+  const ParamSpec& spec = block.schema()[param];
+  bool held = false;
+  for (int d = 0; d < spec.dofs(); ++d) held = held || block.limits(spec.first_dof + d) != nullptr;
+  ImGui::PushStyleColor(ImGuiCol_Text, held ? paint_colors::kAccent : ImGui::GetColorU32(ImGuiCol_Text));
+  ImGui::TextUnformatted(title(spec.name).c_str());
+  ImGui::PopStyleColor();
+  tip(desk.theme, tip_of(block, param, desk.now->facts->frame, path).c_str());
+  if (takes_ranges(spec, path)) range_.offer(desk, block, param, path);
+}
+
 void ParamWidgets::row(Desk& desk, const ParamBlock& block, int param, const std::string& path) {
   const ParamSpec& spec = block.schema()[param];
   const Theme& theme = desk.theme;
@@ -241,15 +266,14 @@ void ParamWidgets::row(Desk& desk, const ParamBlock& block, int param, const std
   }
   ImGui::SameLine(0.0F, theme.px(kLockGap));
   ImGui::AlignTextToFramePadding();
-  ImGui::TextUnformatted(title(spec.name).c_str());
-  tip(theme, tip_of(spec).c_str());
+  name(desk, block, param, full);
   ImGui::SameLine(theme.px(kWidgetsAt));
   Values values = held_ == full ? held_values_ : widget_values(block, param, desk.now->facts->frame);
   const bool follows = spec.dofs() > 0 && block.following(spec.first_dof);
   if (follows) {
     ImGui::TextDisabled("follows another light");
   } else {
-    const ColorEdit edit = widget(desk, spec, values, ImGui::GetContentRegionAvail().x);
+    const ColorEdit edit = widget(desk, block, param, values, ImGui::GetContentRegionAvail().x);
     turned(desk, spec, full, values, edit);
   }
   ImGui::PopID();

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "app/desk.h"
+#include "app/range_popup.h"
 #include "params/param_block.h"
 
 namespace luminist {
@@ -30,11 +31,13 @@ class ParamWidgets {
  private:
   using Values = std::array<float, 3>;  ///< in the units of the declaration
   void row(Desk& desk, const ParamBlock& block, int param, const std::string& path);
-  ColorEdit widget(const Desk& desk, const ParamSpec& spec, Values& values, float width);
+  void name(Desk& desk, const ParamBlock& block, int param, const std::string& path);
+  ColorEdit widget(const Desk& desk, const ParamBlock& block, int param, Values& values, float width);
   void turned(Desk& desk, const ParamSpec& spec, const std::string& path, const Values& values, const ColorEdit& edit);
 
   std::string held_;  ///< path of the parameter under the hand
   Values held_values_{};
+  RangePopup range_;
   std::uint64_t let_go_ = 0;  ///< version of the snapshot when the hand let go; 0: it holds
 };
 

@@ -33,12 +33,11 @@ Vec3 normal_around(const Vec3& place, const SampleCells& cells, const SceneFrame
   return length > 1e-12F ? sum / length : Vec3(0.0F, 1.0F, 0.0F);
 }
 
-Vec3 within_range(const Vec3& wanted, const ParamSpec& spec, const SceneFrame& frame) {
+Vec3 within_range(const Vec3& wanted, const ParamBlock& params, int param, const SceneFrame& frame) {
   Vec3 position = wanted;
   for (int c = 0; c < 3; ++c) {
-    const auto i = static_cast<std::size_t>(c);
-    position[c] = std::clamp(wanted[c], static_cast<float>(spec.stored(c, spec.range_min[i], frame)),
-                             static_cast<float>(spec.stored(c, spec.range_max[i], frame)));
+    const auto [low, high] = params.range(param, c, frame);
+    position[c] = std::clamp(wanted[c], static_cast<float>(low), static_cast<float>(high));
   }
   return position;
 }
@@ -97,8 +96,8 @@ void OtherStarts::move(Mover& mover, OtherStart& start) {
   const Vec3 side = other_side(mover);
   const auto longer = static_cast<float>(std::exp2(random_.uniform(-1.0, 1.0)));
   mover.sides.push_back(side);
-  move_light(light, within_range(mover.aim + longer * mover.distance * side, light.params.schema()[position], frame_),
-             mover.aim, frame_);
+  move_light(light, within_range(mover.aim + longer * mover.distance * side, light.params, position, frame_), mover.aim,
+             frame_);
 }
 
 void OtherStarts::jitter(std::size_t block, ParamState& state) {

@@ -131,6 +131,28 @@ void ParamBlock::set_param_following(int param, bool following) {
   for (int i = 0; i < spec.dofs(); ++i) following_[static_cast<std::size_t>(spec.first_dof + i)] = following;
 }
 
+ParamRange ParamBlock::range(int param, int component, const SceneFrame& frame) const {
+  const ParamSpec& spec = schema()[param];
+  const ParamRange* held = component < spec.dofs() ? limits(spec.first_dof + component) : nullptr;
+  if (held != nullptr) return *held;
+  const auto c = static_cast<std::size_t>(component);
+  return {spec.stored(component, spec.range_min[c], frame), spec.stored(component, spec.range_max[c], frame)};
+}
+
+void ParamBlock::set_limits(int dof, const ParamRange& limits) {
+  for (auto& [limited, range] : limits_) {
+    if (limited == dof) return void(range = limits);
+  }
+  limits_.emplace_back(dof, limits);
+}
+
+const ParamRange* ParamBlock::limits(int dof) const {
+  for (const auto& [limited, range] : limits_) {
+    if (limited == dof) return &range;
+  }
+  return nullptr;
+}
+
 bool ParamBlock::same_values(const ParamBlock& other) const {
   return schema_ == other.schema_ && bytes_ == other.bytes_;
 }

@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "base/math.h"
@@ -14,6 +15,12 @@ namespace luminist {
 /// A direction as blocks store it: the vector itself where its length is 1 up to rounding (so that a stored one keeps
 /// its bits), otherwise normalized; nothing for a zero or non-finite vector.
 std::optional<Vec3> unit_direction(const Vec3& vector);
+
+/// Where a number may be, in stored units.
+struct ParamRange {
+  double low = 0.0;
+  double high = 1.0;
+};
 
 class ParamBlock {
  public:
@@ -51,14 +58,23 @@ class ParamBlock {
   /// file.
   void set_param_following(int param, bool following);
 
+  /// Where a number may be: the schema's range, which is soft, or the limits that hold of this block. Of no direction.
+  [[nodiscard]] ParamRange range(int param, int component, const SceneFrame& frame) const;
+  /// Limits in place of the schema's range. They come from the rig's constraints and are in no file; whoever turns the
+  /// block keeps them.
+  void set_limits(int dof, const ParamRange& limits);
+  void clear_limits() { limits_.clear(); }
+  [[nodiscard]] const ParamRange* limits(int dof) const;  ///< null: none
+
   /// Same schema, same bytes; locks do not count.
   [[nodiscard]] bool same_values(const ParamBlock& other) const;
 
  private:
   std::shared_ptr<const ParamSchema> schema_;
   std::vector<std::byte> bytes_;
-  std::vector<bool> locked_;     ///< by hand
-  std::vector<bool> following_;  ///< set from elsewhere
+  std::vector<bool> locked_;                        ///< by hand
+  std::vector<bool> following_;                     ///< set from elsewhere
+  std::vector<std::pair<int, ParamRange>> limits_;  ///< by degree of freedom
 };
 
 }  // namespace luminist

@@ -17,23 +17,31 @@ const ParamSpec& spec_of(const ParamBlock& block, const Dof& dof) {
   return block.schema()[dof.param];
 }
 
-double to_unit_number(const ParamSpec& spec, int component, double stored, const SceneFrame& frame) {
-  const auto c = static_cast<std::size_t>(component);
-  const double lo = spec.range_min[c];
-  const double hi = spec.range_max[c];
-  const double value = spec.written(component, stored, frame);
+/// What 0 and 1 mean, in the units of the declaration.
+ParamRange written_range(const ParamBlock& block, const Dof& dof, const SceneFrame& frame) {
+  const ParamSpec& spec = spec_of(block, dof);
+  if (const ParamRange* limits = block.limits(spec.first_dof + dof.component)) {
+    return {spec.written(dof.component, limits->low, frame), spec.written(dof.component, limits->high, frame)};
+  }
+  const auto c = static_cast<std::size_t>(dof.component);
+  return {spec.range_min[c], spec.range_max[c]};
+}
+
+double to_unit_number(const ParamBlock& block, const Dof& dof, const SceneFrame& frame) {
+  const ParamSpec& spec = spec_of(block, dof);
+  const auto [lo, hi] = written_range(block, dof, frame);
+  const double value = spec.written(dof.component, block.get(dof.param, dof.component), frame);
   if (spec.scale != ParamScale::kLog) return (value - lo) / (hi - lo);
   // A number without a logarithm lies at the far end of what a float can hold.
   const double positive = std::max(value, static_cast<double>(std::numeric_limits<float>::min()));
   return std::log(positive / lo) / std::log(hi / lo);
 }
 
-double from_unit_number(const ParamSpec& spec, int component, double x, const SceneFrame& frame) {
-  const auto c = static_cast<std::size_t>(component);
-  const double lo = spec.range_min[c];
-  const double hi = spec.range_max[c];
+double from_unit_number(const ParamBlock& block, const Dof& dof, double x, const SceneFrame& frame) {
+  const ParamSpec& spec = spec_of(block, dof);
+  const auto [lo, hi] = written_range(block, dof, frame);
   const double value = spec.scale == ParamScale::kLog ? lo * std::pow(hi / lo, x) : lo + x * (hi - lo);
-  return spec.stored(component, value, frame);
+  return spec.stored(dof.component, value, frame);
 }
 
 /// The unit sphere around a base direction: the exponential map of its tangent plane. Coordinates in radians.
@@ -119,7 +127,7 @@ std::vector<double> UnitMap::to_unit(std::span<const ParamBlock* const> blocks) 
       const DVec3 uv = DirectionChart(chart_[i]).coordinates(usable_direction(block.vec3(dof.param)));
       x[i] = 0.5 + uv[dof.component] / radians_per_unit(spec);
     } else {
-      x[i] = to_unit_number(spec, dof.component, block.get(dof.param, dof.component), frame_);
+      x[i] = to_unit_number(block, dof, frame_);
     }
   }
   return x;
@@ -132,7 +140,7 @@ void UnitMap::from_unit(std::span<const double> x, std::span<ParamBlock* const> 
     ParamBlock& block = *blocks[static_cast<std::size_t>(dof.block)];
     const ParamSpec& spec = spec_of(block, dof);
     if (spec.type != ParamType::kDirection) {
-      block.set(dof.param, dof.component, from_unit_number(spec, dof.component, x[i], frame_));
+      block.set(dof.param, dof.component, from_unit_number(block, dof, x[i], frame_));
       continue;
     }
     // Both axes of a direction stand together; a locked axis keeps the base's coordinate, which is 0.

@@ -29,7 +29,8 @@ class UnitMap {
   [[nodiscard]] int dofs() const { return static_cast<int>(dofs_.size()); }
   [[nodiscard]] const std::vector<Dof>& list() const { return dofs_; }
 
-  /// x [dofs()] of the blocks' present values; outside [0,1] where a value is outside its range.
+  /// x [dofs()] of the blocks' present values; outside [0,1] where a value is outside its range, which may be
+  /// ParamBlock::limits().
   [[nodiscard]] std::vector<double> to_unit(std::span<const ParamBlock* const> blocks) const;
   /// Writes the values of x; x may leave [0,1] (log scales extrapolate, nothing is clamped). Locked values stay.
   void from_unit(std::span<const double> x, std::span<ParamBlock* const> blocks) const;

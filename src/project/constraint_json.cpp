@@ -26,6 +26,9 @@ Json rule_json(const Constraint& constraint) {
             {"point", vector_json(image->plane.point)},
             {"normal", vector_json(image->plane.normal)}};
   }
+  if (const auto* range = std::get_if<Between>(&constraint.rule)) {
+    return {{"param", range->param}, {"low", shortest_double(range->low)}, {"high", shortest_double(range->high)}};
+  }
   const auto& same = std::get<SameColor>(constraint.rule);
   return {{"light", same.light}, {"factor", shortest_double(same.factor)}};
 }
@@ -49,6 +52,10 @@ Constraint constraint_from(const Json& json) {
   } else if (json.contains("mirror_of")) {
     const Json& image = json.at("mirror_of");
     constraint.rule = MirrorOf{image.at("light").get<std::string>(), plane_from(image)};
+  } else if (json.contains("between")) {
+    const Json& range = json.at("between");
+    constraint.rule =
+        Between{range.at("param").get<std::string>(), range.at("low").get<float>(), range.at("high").get<float>()};
   } else {
     const Json& same = json.at("same_color");
     constraint.rule = SameColor{same.at("light").get<std::string>(), same.at("factor").get<float>()};

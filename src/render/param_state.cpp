@@ -175,9 +175,7 @@ std::string range_note(const ParamState& state, std::string_view path, const Sce
   const ParamSpec& spec = params.schema()[*param];
   if (spec.type == ParamType::kDirection || spec.range_min.empty()) return "";
   for (int c = 0; c < spec.components(); ++c) {
-    const auto component = static_cast<std::size_t>(c);
-    const double low = spec.stored(c, spec.range_min[component], frame);
-    const double high = spec.stored(c, spec.range_max[component], frame);
+    const auto [low, high] = params.range(*param, c, frame);
     const double value = params.get(*param, c);
     const double slack = 1e-6 * (std::abs(low) + std::abs(high));  // stored as floats
     if (value >= low - slack && value <= high + slack) continue;

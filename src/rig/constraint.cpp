@@ -25,6 +25,11 @@ std::optional<int> position_of(const Light& light) {
   return param && light.params.schema()[*param].components() == 3 ? param : std::nullopt;
 }
 
+std::optional<int> color_of(const Light& light) {
+  const std::optional<int> param = light.params.schema().by_role("color");
+  return param && light.params.schema()[*param].type == ParamType::kColor ? param : std::nullopt;
+}
+
 DVec3 reflected(const DVec3& vector, const DVec3& unit_normal) {
   return vector - 2.0 * glm::dot(vector, unit_normal) * unit_normal;
 }
@@ -94,12 +99,29 @@ void put_in_place(const LightRig& rig, Light& light) {
   const std::optional<int> direction = light.params.schema().by_role("direction");
   const DVec3 back = direction ? -DVec3(light.params.vec3(*direction)) : DVec3(0.0, 1.0, 0.0);
   DMat3 unlocked(1.0);
+  const int first = light.params.schema()[*position].first_dof;
+  DMat3 within(1.0);
   for (int axis = 0; axis < 3; ++axis) {
-    if (light.params.locked_by_hand(light.params.schema()[*position].first_dof + axis)) unlocked[axis][axis] = 0.0;
+    if (light.params.limits(first + axis) != nullptr) within[axis][axis] = unlocked[axis][axis] = 0.0;
+    if (light.params.locked_by_hand(first + axis)) unlocked[axis][axis] = 0.0;
   }
   auto place = stand.nearest(DVec3(stored), unlocked, back);
-  if (!place) place = stand.nearest(DVec3(stored), DMat3(1.0), back);
+  if (!place) place = stand.nearest(DVec3(stored), within, back);
   if (place) light.params.set_vec3(*position, Vec3(*place));
+}
+
+/// A dark light stays dark, whatever the range of its colour: it waits for paint.
+void hold_between(const Between& range, Light& light) {
+  const auto numbers = limited_numbers(light, range.param);
+  if (!numbers || !(range.low < range.high)) return;
+  const bool dark = color_of(light) == numbers->param && light.params.vec3(numbers->param) == Vec3(0.0F);
+  for (int c = numbers->first; c < numbers->first + numbers->count; ++c) {
+    light.params.set_limits(light.params.schema()[numbers->param].first_dof + c, {range.low, range.high});
+    if (dark) continue;
+    const float value = static_cast<float>(light.params.get(numbers->param, c));
+    if (value < range.low) light.params.set(numbers->param, c, range.low);
+    if (value > range.high) light.params.set(numbers->param, c, range.high);
+  }
 }
 
 void mirror(const Light& leader, const Plane& plane, Light& light) {
@@ -119,11 +141,6 @@ void mirror(const Light& leader, const Plane& plane, Light& light) {
   params.set_param_following(-1, true);
 }
 
-std::optional<int> color_of(const Light& light) {
-  const std::optional<int> param = light.params.schema().by_role("color");
-  return param && light.params.schema()[*param].type == ParamType::kColor ? param : std::nullopt;
-}
-
 void copy_color(const Light& leader, float factor, Light& light) {
   const std::optional<int> from = color_of(leader);
   const std::optional<int> to = color_of(light);
@@ -137,6 +154,10 @@ void keep(LightRig& rig, Light& light, std::vector<bool>& kept) {
   const auto index = static_cast<std::size_t>(&light - rig.lights.data());
   if (kept[index]) return;
   kept[index] = true;
+  for (const Constraint& constraint : rig.constraints) {
+    const auto* range = std::get_if<Between>(&constraint.rule);
+    if (range != nullptr && constraint.light == light.name) hold_between(*range, light);
+  }
   put_in_place(rig, light);
   for (const Constraint& constraint : rig.constraints) {
     const std::string* name = leader(constraint);
@@ -152,8 +173,27 @@ void keep(LightRig& rig, Light& light, std::vector<bool>& kept) {
 }  // namespace
 
 const char* rule_name(const Constraint& constraint) {
-  constexpr std::array<const char*, 4> kNames{"on_plane", "at_distance", "mirror_of", "same_color"};
+  constexpr std::array<const char*, 5> kNames{"on_plane", "at_distance", "mirror_of", "same_color", "between"};
   return kNames[constraint.rule.index()];
+}
+
+bool same_kind(const Constraint& a, const Constraint& b) {
+  if (a.light != b.light || a.rule.index() != b.rule.index()) return false;
+  const auto* range = std::get_if<Between>(&a.rule);
+  return range == nullptr || range->param == std::get<Between>(b.rule).param;
+}
+
+std::optional<LimitedNumbers> limited_numbers(const Light& light, std::string_view param) {
+  const ParamSchema& schema = light.params.schema();
+  const auto whole = schema.find(param.substr(0, param.find('.')));
+  if (!whole) return std::nullopt;
+  const ParamSpec& spec = schema[*whole];
+  if (spec.type == ParamType::kDirection || spec.dofs() == 0) return std::nullopt;
+  if (param == spec.name) return LimitedNumbers{*whole, 0, spec.components()};
+  for (int c = 0; c < spec.components(); ++c) {
+    if (param == dof_name(spec, c)) return LimitedNumbers{*whole, c, 1};
+  }
+  return std::nullopt;
 }
 
 const std::string* leader(const Constraint& constraint) {
@@ -163,7 +203,10 @@ const std::string* leader(const Constraint& constraint) {
 }
 
 void keep_constraints(LightRig& rig) {
-  for (Light& light : rig.lights) light.params.set_param_following(-1, false);
+  for (Light& light : rig.lights) {
+    light.params.set_param_following(-1, false);
+    light.params.clear_limits();
+  }
   if (rig.constraints.empty()) return;
   std::vector<bool> kept(rig.lights.size(), false);
   for (Light& light : rig.lights) keep(rig, light, kept);

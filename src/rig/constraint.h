@@ -1,5 +1,5 @@
 #pragma once
-// rig/constraint.h -- what a lighter knows of a light before it is solved: where it may stand, and whom it follows.
+// rig/constraint.h -- what holds of a light before it is solved: where it stands, whom it follows, in what range.
 #include <optional>
 #include <string>
 #include <string_view>
@@ -43,23 +43,43 @@ struct SameColor {
   float factor = 1.0F;  ///< >= 0
 };
 
+/// A number of the light, or each of a vector or a colour, stays in a range, which takes the place of the declared one.
+struct Between {
+  std::string param;  ///< "size", "position.x"
+  float low = 0.0F;   ///< below high; above 0 where the parameter is solved on a logarithmic scale
+  float high = 1.0F;
+};
+
 /// One thing that always holds of a light, whoever turns the rig.
 struct Constraint {
   std::string light;  ///< which light obeys
-  std::variant<OnPlane, AtDistance, MirrorOf, SameColor> rule;
+  std::variant<OnPlane, AtDistance, MirrorOf, SameColor, Between> rule;
 };
 
-/// "on_plane", "at_distance", "mirror_of" or "same_color": what it is called in rig files.
+/// "on_plane", "at_distance", "mirror_of", "same_color" or "between": what it is called in rig files.
 const char* rule_name(const Constraint& constraint);
+/// Of one light and kind, ranges of one parameter: the later one takes the place of the earlier.
+bool same_kind(const Constraint& a, const Constraint& b);
+
+/// What a range is of: some components of a parameter.
+struct LimitedNumbers {
+  int param = 0;
+  int first = 0;
+  int count = 1;
+};
+/// Nothing if the light has no such numbers, or what has that name cannot be solved for as one.
+std::optional<LimitedNumbers> limited_numbers(const Light& light, std::string_view param);
+
 /// The light that the constrained one follows; null where it follows none.
 const std::string* leader(const Constraint& constraint);
 
 /// Moves the lights to where their constraints hold, and marks what follows another light, which is no degree of
 /// freedom (ParamBlock::following()).
 ///
-/// A position goes to the nearest place that is allowed, along its unlocked axes where they lead there; where no place
-/// is nearest (the centre of a sphere) it goes against the light's direction. What follows is set after what it
-/// follows, in whatever order the constraints stand; a rig that obeys keeps its bits, so keeping twice is keeping once.
+/// Numbers go into their ranges first (ParamBlock::limits()); a dark light stays dark. A position goes to the nearest
+/// place that is allowed, along its unlocked axes where they lead there; where no place is nearest (the centre of a
+/// sphere) it goes against the light's direction. What follows is set after what it follows, in whatever order the
+/// constraints stand; a rig that obeys keeps its bits, so keeping twice is keeping once.
 /// Constraints of lights that the rig does not have, and numbers that are not finite, are passed over.
 /// cost O(lights + constraints). thread any.
 void keep_constraints(LightRig& rig);
@@ -86,7 +106,7 @@ struct ConstraintFault {
 /// The first constraint that cannot be kept: a light that the rig does not have (with the nearest name) or whose type
 /// lacks what is constrained; a degenerate normal or distance; a light that follows itself, or others in a circle, or
 /// two at once; two constraints of one kind on one light; a mirror with a will of its own; a plane that does not reach
-/// the distance.
+/// the distance; a range of what another constraint decides.
 std::optional<ConstraintFault> find_fault(const LightRig& rig);
 /// The same as an error: kUsage with the constraint in words as the field.
 Result<void> check_constraints(const LightRig& rig);

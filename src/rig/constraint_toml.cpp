@@ -11,7 +11,7 @@
 namespace luminist {
 namespace {
 
-constexpr std::array<const char*, 4> kRules{"on_plane", "at_distance", "mirror_of", "same_color"};
+constexpr std::array<const char*, 5> kRules{"on_plane", "at_distance", "mirror_of", "same_color", "between"};
 
 Vec3 read_vector(TomlReader& read, const char* key) {
   const TomlValue& value = read.required_value(key);
@@ -43,6 +43,10 @@ Result<Constraint> read_rule(const std::string& light, std::string_view rule, co
   } else if (rule == "mirror_of") {
     const std::string other = read.string("light");
     constraint.rule = MirrorOf{other, read_plane(read)};
+  } else if (rule == "between") {
+    const std::string param = read.string("param");
+    const auto low = static_cast<float>(read.number("low"));
+    constraint.rule = Between{param, low, static_cast<float>(read.number("high"))};
   } else {
     const std::string other = read.string("light");
     constraint.rule = SameColor{other, static_cast<float>(read.number("factor", 1.0))};
@@ -87,6 +91,10 @@ std::string rule_toml(const Constraint& constraint) {
   }
   if (const auto* image = std::get_if<MirrorOf>(&constraint.rule)) {
     return fmt::format("light = {}, {}", toml_string(image->light), plane_toml(image->plane));
+  }
+  if (const auto* range = std::get_if<Between>(&constraint.rule)) {
+    return fmt::format("param = {}, low = {}, high = {}", toml_string(range->param),
+                       number_text(shortest_double(range->low)), number_text(shortest_double(range->high)));
   }
   const auto& same = std::get<SameColor>(constraint.rule);
   return fmt::format("light = {}, factor = {}", toml_string(same.light), number_text(shortest_double(same.factor)));

@@ -72,9 +72,7 @@ void keep_footprint(ParamBlock& params, const SceneFrame& frame, float before, f
       if (params.locked(spec.first_dof + c) || (cutoff && c > 0) || !(shape || reference || cutoff)) continue;
       const double value = params.get(param, c);
       const double wanted = shape ? value * before / now : reference ? value * now / before : value + now - before;
-      const auto k = static_cast<std::size_t>(c);
-      const double low = spec.stored(c, spec.range_min[k], frame);
-      const double high = spec.stored(c, spec.range_max[k], frame);
+      const auto [low, high] = params.range(param, c, frame);
       // A value that was out of its range may go no farther.
       params.set(param, c, std::clamp(wanted, std::min(low, value), std::max(high, value)));
     }

@@ -145,7 +145,7 @@ bool swap_sides(ParamBlock& params) {
   return true;
 }
 
-void scan_edges(const ParamState& state, const ParamState& alone, int block,
+void scan_edges(const ParamState& state, const ParamState& alone, int block, const SceneFrame& frame,
                 std::vector<std::vector<ParamState>>& scans) {
   constexpr int kWays = 8;  // the roll of a light is its own affair: all ways round are tried
   constexpr std::array<double, 8> kShares{-0.5, -0.25, 0.15, 0.3,
@@ -177,7 +177,7 @@ void scan_edges(const ParamState& state, const ParamState& alone, int block,
   for (int side = 0; side < 2; ++side) {
     if (params.locked(params.schema()[*shape].first_dof + side)) continue;
     const double half = params.get(*shape, side);
-    const double most = params.schema()[*shape].range_max[static_cast<std::size_t>(side)];
+    const double most = params.range(*shape, side, frame).high;
     for (int way = 0; way < kWays; ++way) {
       const double angle = 2.0 * kPi * way / kWays;
       const Vec3 across = static_cast<float>(std::cos(angle)) * right + static_cast<float>(std::sin(angle)) * up;
@@ -266,11 +266,11 @@ std::vector<std::vector<ParamState>> light_scans(const ParamState& state, const 
       if (before == &start) scan_values(state, reset, block, frame, scans);
       ParamState variant = state;
       copy_values(reset, block, variant);
-      scan_edges(variant, only_block_free(variant, block), block, scans);
+      scan_edges(variant, only_block_free(variant, block), block, frame, scans);
       scans.push_back({std::move(variant)});
     }
   }
-  scan_edges(state, alone, block, scans);
+  scan_edges(state, alone, block, frame, scans);
   return scans;
 }
 

@@ -88,25 +88,37 @@ float covering_angle(const Box& box, const Vec3& apex, const Vec3& axis) {
   return angle;
 }
 
-float largest(const ParamSpec& spec, int component, const SceneFrame& frame) {
-  return static_cast<float>(spec.stored(component, spec.range_max[static_cast<std::size_t>(component)], frame));
-}
+/// Where the numbers of a light's parameter may be.
+class Ranges {
+ public:
+  Ranges(const Light& light, int param, const SceneFrame& frame)
+      : block_(&light.params), param_(param), frame_(frame) {}
+  [[nodiscard]] float least(int c) const { return static_cast<float>(block_->range(param_, c, frame_).low); }
+  [[nodiscard]] float largest(int c) const { return static_cast<float>(block_->range(param_, c, frame_).high); }
+  /// The nearest to `wanted` that is allowed, not below `low` either.
+  [[nodiscard]] float nearest(int c, float wanted, float low) const {
+    return std::clamp(wanted, std::min(std::max(low, least(c)), largest(c)), largest(c));
+  }
 
-float least(const ParamSpec& spec, int component, const SceneFrame& frame) {
-  return static_cast<float>(spec.stored(component, spec.range_min[static_cast<std::size_t>(component)], frame));
-}
+ private:
+  const ParamBlock* block_;
+  int param_;
+  SceneFrame frame_;
+};
 
-/// The point nearest to `wanted` on the segment from the hot spot that is within the position's range.
-Vec3 within_range(const Vec3& hot_spot, const Vec3& wanted, const ParamSpec& spec, const SceneFrame& frame) {
+/// The point nearest to `wanted` on the segment from the hot spot that is within the position's range; where the range
+/// leaves the hot spot out, the nearest that it allows.
+Vec3 within_range(const Vec3& hot_spot, const Vec3& wanted, const Ranges& ranges) {
   float share = 1.0F;
   for (int c = 0; c < 3; ++c) {
     const float step = wanted[c] - hot_spot[c];
-    const float bound = step > 0.0F ? largest(spec, c, frame) : least(spec, c, frame);
+    const float bound = step > 0.0F ? ranges.largest(c) : ranges.least(c);
+    if (hot_spot[c] < ranges.least(c) || hot_spot[c] > ranges.largest(c)) continue;
     if (std::abs(step) > 0.0F && (wanted[c] - bound) * step > 0.0F)
       share = std::min(share, (bound - hot_spot[c]) / step);
   }
   Vec3 position = hot_spot + std::max(share, 0.0F) * (wanted - hot_spot);
-  for (int c = 0; c < 3; ++c) position[c] = std::clamp(position[c], least(spec, c, frame), largest(spec, c, frame));
+  for (int c = 0; c < 3; ++c) position[c] = std::clamp(position[c], ranges.least(c), ranges.largest(c));
   return position;
 }
 
@@ -173,7 +185,7 @@ void apply_start_light(const StartLight& start, Light& light) {
   const ParamSchema& schema = light.params.schema();
   Vec3 position = start.position;
   if (const auto param = schema.by_role("position")) {
-    position = within_range(start.hot_spot, start.position, schema[*param], start.frame);
+    position = within_range(start.hot_spot, start.position, {light, *param, start.frame});
     light.params.set_vec3(*param, position);
   }
   const float distance = glm::distance(position, start.hot_spot);
@@ -182,19 +194,19 @@ void apply_start_light(const StartLight& start, Light& light) {
     light.params.set_vec3(*param, there ? (start.hot_spot - position) / distance : start.direction);
   }
   if (const auto param = schema.by_role("color")) {
-    for (int c = 0; c < 3; ++c) {
-      light.params.set(*param, c, std::clamp(start.intensity[c], 0.0F, largest(schema[*param], c, start.frame)));
-    }
+    const Ranges ranges(light, *param, start.frame);
+    for (int c = 0; c < 3; ++c) light.params.set(*param, c, ranges.nearest(c, start.intensity[c], 0.0F));
   }
   if (const auto param = schema.by_role("shape")) {
     const float tangent = std::tan(std::min(start.half_angle, 1.5F));
+    const Ranges ranges(light, *param, start.frame);
     for (int c = 0; c < std::min(2, schema[*param].components()); ++c) {
-      light.params.set(*param, c, std::clamp(tangent, 0.02F, largest(schema[*param], c, start.frame)));
+      light.params.set(*param, c, ranges.nearest(c, tangent, 0.02F));
     }
   }
   if (const auto param = schema.by_role("falloff_distance")) {
-    const float low = least(schema[*param], 0, start.frame);
-    light.params.set(*param, 0, std::clamp(distance, low, largest(schema[*param], 0, start.frame)));
+    const Ranges ranges(light, *param, start.frame);
+    light.params.set(*param, 0, ranges.nearest(0, distance, ranges.least(0)));
   }
 }
 

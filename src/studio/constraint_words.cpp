@@ -68,7 +68,7 @@ class ConstraintReader {
       if (take("times")) same.factor = numbers<1>()[0];
       constraint.rule = same;
     } else {
-      fail("this is no constraint", kConstraintForms);
+      constraint.rule = between();
     }
     if (!skip_blanks().empty()) fail(fmt::format("\"{}\" is one word too many", rest_), kConstraintForms);
     if (error_) return *error_;
@@ -198,6 +198,18 @@ class ConstraintReader {
     return at;
   }
 
+  Between between() {
+    Between range{std::string(word()), 0.0F, 0.0F};
+    if (!take("between")) {
+      fail("this is no constraint", kConstraintForms);
+      return range;
+    }
+    range.low = numbers<1>()[0];
+    if (!take("and")) fail("a range ends somewhere", kConstraintForms);
+    range.high = numbers<1>()[0];
+    return range;
+  }
+
   std::string_view words_;
   std::string_view rest_;
   const LightRig* rig_;
@@ -235,9 +247,7 @@ Result<void> add_constraints(LightRig& rig, const std::vector<std::string>& word
   LightRig next = rig;
   for (const std::string& each : words) {
     LUM_TRY(Constraint constraint, parse_constraint(each, next, surface, bounds));
-    std::erase_if(next.constraints, [&](const Constraint& present) {
-      return present.light == constraint.light && present.rule.index() == constraint.rule.index();
-    });
+    std::erase_if(next.constraints, [&](const Constraint& present) { return same_kind(present, constraint); });
     next.constraints.push_back(std::move(constraint));
     LUM_TRY_VOID(check_constraints(next));
     keep_constraints(next);  // the next words may speak of where the light stands now

@@ -13,8 +13,9 @@ namespace luminist {
 /// The forms, for help and errors.
 inline constexpr const char* kConstraintForms =
     "lights/NAME on PLANE; at distance D from PLACE; mirror of lights/OTHER across PLANE; same color as lights/OTHER "
-    "[times F]. PLANE: floor, ceiling, back wall, front wall, left wall, right wall, middle, surface X,Y, or plane "
-    "X,Y,Z NX,NY,NZ. D: a number or `present`. PLACE: X,Y,Z or aim";
+    "[times F]; PARAMETER between A and B. PLANE: floor, ceiling, back wall, front wall, left wall, right wall, "
+    "middle, "
+    "surface X,Y, or plane X,Y,Z NX,NY,NZ. D: a number or `present`. PLACE: X,Y,Z or aim";
 
 /// The planes that have names.
 inline constexpr std::array<const char*, 7> kPlaneNames = {"floor",     "ceiling",    "back wall", "front wall",

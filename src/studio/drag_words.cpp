@@ -16,6 +16,8 @@ constexpr float kUnlit = 0.05F;  // of the brightest spot: the light does not co
 std::string advice(const Session& session, const DragOutcome& outcome, const std::string& light) {
   const auto& constraints = session.shown().rig.constraints;
   const auto held = std::ranges::find_if(constraints, [&](const Constraint& each) {
+    const auto* range = std::get_if<Between>(&each.rule);
+    if (range != nullptr && !range->param.starts_with("position")) return false;
     return each.light == light && !std::holds_alternative<SameColor>(each.rule);
   });
   if (held != constraints.end()) {

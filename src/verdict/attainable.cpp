@@ -79,12 +79,10 @@ Result<std::optional<AttainableColors>> AttainableColors::create(Renderer& rende
     Scaled part;
     part.color = block.vec3(param);
     for (int c = 0; c < 3; ++c) {
-      const auto component = static_cast<std::size_t>(c);
       const bool free = !block.locked(spec.first_dof + c);
-      part.low[c] =
-          free ? static_cast<float>(spec.stored(c, spec.range_min[component], renderer.frame())) : part.color[c];
-      part.high[c] =
-          free ? static_cast<float>(spec.stored(c, spec.range_max[component], renderer.frame())) : part.color[c];
+      const auto [low, high] = block.range(param, c, renderer.frame());
+      part.low[c] = free ? static_cast<float>(low) : part.color[c];
+      part.high[c] = free ? static_cast<float>(high) : part.color[c];
     }
     block.set_vec3(param, Vec3(1.0F));
     LUM_TRY(part.white, renderer.render(white));

@@ -67,6 +67,8 @@ ParamState with_light(const ParamState& state, const Light& prototype, const Sta
   Light light = prototype;
   light.name = next.rig.unused_name(name);
   light.muted = false;
+  light.params.clear_limits();  // what holds of the other is nothing to this one
+  light.params.set_param_following(-1, false);
   apply_start_light(start, light);
   next.rig.lights.push_back(std::move(light));
   return next;

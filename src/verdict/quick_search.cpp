@@ -62,7 +62,6 @@ std::optional<int> free_color(const ParamState& state, int block) {
 /// How many times as strong the colour fits best, by least squares, within its range.
 Vec3 color_factor(const ParamBlock& block, int color, std::span<const Vec3> with, std::span<const Vec3> without,
                   const SampledWish& wish, const SceneFrame& frame) {
-  const ParamSpec& spec = block.schema()[color];
   Vec3 factor(1.0F);
   for (int c = 0; c < 3; ++c) {
     double above = 0.0;
@@ -74,8 +73,9 @@ Vec3 color_factor(const ParamBlock& block, int color, std::span<const Vec3> with
     }
     const double now = block.get(color, c);
     if (!(below > 0.0) || !(now > 0.0)) continue;
-    const double most = spec.stored(c, spec.range_max[static_cast<std::size_t>(c)], frame) / now;
-    factor[c] = static_cast<float>(std::clamp(above / below, 0.0, std::max(0.0, most)));
+    const auto [low, high] = block.range(color, c, frame);
+    const double least = std::max(0.0, low / now);
+    factor[c] = static_cast<float>(std::clamp(above / below, least, std::max(least, high / now)));
   }
   return factor;
 }

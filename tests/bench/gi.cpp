@@ -75,10 +75,12 @@ Result<void> assign(ParamState& state, const std::string& path, double value) {
   return set_path(state, fmt::format("{}={:.9g}", path, value));
 }
 
-/// The figure's rig with its panel elsewhere: anywhere over the room's middle, of another size and strength.
+/// The figure's rig with its panel elsewhere: anywhere over the room's middle, of any size and another strength.
 Result<ParamState> moved_start(const ParamState& rig, std::uint64_t seed) {
   Random random(seed);
   ParamState start = rig;
+  std::erase_if(start.rig.constraints,
+                [](const Constraint& each) { return std::holds_alternative<Between>(each.rule); });
   const std::string light = fmt::format("lights/{}", kLight);
   Light* panel = start.rig.find(kLight);
   const auto position = panel != nullptr ? panel->params.schema().by_role("position") : std::nullopt;

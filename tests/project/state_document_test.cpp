@@ -158,14 +158,15 @@ TEST_F(StateDocument, KeepsConstraintsAndTheyHold) {
     written.rig.constraints = {{"twin", MirrorOf{"my cinematic", plane}},
                                {"my cinematic", OnPlane{plane}},
                                {"my cinematic", AtDistance{1.7F, Vec3(0.3F, 0.1F, 0.2F)}},
-                               {"my point", SameColor{"twin", 0.3F}}};
+                               {"my point", SameColor{"twin", 0.3F}},
+                               {"my point", Between{"falloff_exponent", 0.1F, 0.9F}}};
     ASSERT_FALSE(find_fault(written.rig));
     keep_constraints(written.rig);
     Document document;
     write_state(written, document);
     LUM_ASSERT_OK(const ParamState read, read_state(document, types_, style_, frame_));
-    ASSERT_EQ(read.rig.constraints.size(), 4U);
-    for (std::size_t i = 0; i < 4; ++i) {
+    ASSERT_EQ(read.rig.constraints.size(), 5U);
+    for (std::size_t i = 0; i < 5; ++i) {
       EXPECT_EQ(to_text(read.rig.constraints[i]), to_text(written.rig.constraints[i]));
     }
     for (std::size_t i = 0; i < 3; ++i) {
@@ -175,6 +176,11 @@ TEST_F(StateDocument, KeepsConstraintsAndTheyHold) {
       for (int dof = 0; dof < before.schema().dofs(); ++dof) {
         EXPECT_EQ(before.locked_by_hand(dof), after.locked_by_hand(dof));
         EXPECT_EQ(before.following(dof), after.following(dof));
+        ASSERT_EQ(before.limits(dof) != nullptr, after.limits(dof) != nullptr);
+        if (before.limits(dof) != nullptr) {
+          EXPECT_EQ(before.limits(dof)->low, after.limits(dof)->low);
+          EXPECT_EQ(before.limits(dof)->high, after.limits(dof)->high);
+        }
       }
     }
     written.rig.constraints.clear();

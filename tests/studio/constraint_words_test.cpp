@@ -97,6 +97,8 @@ TEST_F(ConstraintWordsTest, SaysWhatItDoesNotUnderstand) {
       {"lights/key mirror of lights/kez light across floor", "there is no light \"kez\""},
       {"lights/key mirror of lights/key light", "needs a plane"},
       {"lights/key same color as lights/key light times x", "give a number"},
+      {"lights/key barn between 0.1", "a range ends"},
+      {"lights/key barn between 0.1 and most", "give a number"},
   };
   for (const auto& [words, says] : mistakes) {
     const Error error = error_of(parse(words));
@@ -115,6 +117,10 @@ TEST_F(ConstraintWordsTest, ANewConstraintReplacesThatOfItsKind) {
   LUM_EXPECT_OK(add({"lights/key on ceiling"}));
   ASSERT_EQ(rig_->constraints.size(), 2U);
   EXPECT_EQ(rig_->lights[0].params.vec3(*rig_->lights[0].params.schema().by_role("position")), Vec3(0.0F, 2.0F, 0.0F));
+  LUM_EXPECT_OK(add({"lights/key barn.x between 0.1 and 0.2", "lights/key barn.y between 0.3 and 0.4"}));
+  LUM_EXPECT_OK(add({"lights/key barn.x between 0.2 and 0.25"}));
+  ASSERT_EQ(rig_->constraints.size(), 4U) << "one range for each number";
+  EXPECT_EQ(to_text(rig_->constraints[3]), "lights/key barn.x between 0.2 and 0.25");
   // All or none.
   EXPECT_EQ(error_of(add({"lights/key on floor", "lights/key same color as lights/key light"})).kind,
             ErrorKind::kUsage);
