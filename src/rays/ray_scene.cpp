@@ -93,7 +93,7 @@ class RaySceneImpl {
   [[nodiscard]] bool blocked(const Segment& whole) const {
     const Segment segment = near_part(whole);
     const Vec3 way = segment.to - segment.from;
-    if (!is_finite(segment.from) || !is_finite(way)) return false;
+    if (!can_trace(segment.from) || !can_trace(way)) return false;
     RTCRay ray{};
     ray.org_x = segment.from.x, ray.org_y = segment.from.y, ray.org_z = segment.from.z;
     ray.dir_x = way.x, ray.dir_y = way.y, ray.dir_z = way.z;
@@ -110,9 +110,11 @@ class RaySceneImpl {
     RTCRay16 rays;
     alignas(64) std::array<int, kPacket> valid;
     for (std::size_t i = 0; i < kPacket; ++i) {
-      const Segment segment = i < segments.size() ? near_part(segments[i]) : Segment{Vec3(0.0F), Vec3(0.0F)};
+      Segment segment = i < segments.size() ? near_part(segments[i]) : Segment{Vec3(0.0F), Vec3(0.0F)};
+      const bool traced = i < segments.size() && can_trace(segment.from) && can_trace(segment.to - segment.from);
+      if (!traced) segment = {Vec3(0.0F), Vec3(0.0F)};
       const Vec3 way = segment.to - segment.from;
-      valid[i] = i < segments.size() && is_finite(segment.from) && is_finite(way) ? -1 : 0;
+      valid[i] = traced ? -1 : 0;
       rays.org_x[i] = segment.from.x, rays.org_y[i] = segment.from.y, rays.org_z[i] = segment.from.z;
       rays.dir_x[i] = way.x, rays.dir_y[i] = way.y, rays.dir_z[i] = way.z;
       rays.tnear[i] = kEndMargin, rays.tfar[i] = 1.0F - kEndMargin;

@@ -56,7 +56,7 @@ class SurfaceRaysImpl {
   }
 
   [[nodiscard]] RayHit first(const Ray& ray, int only) const {
-    if (!is_finite(ray.origin) || !is_finite(ray.direction)) return {};
+    if (!can_trace(ray.origin) || !can_trace(ray.direction)) return {};
     RTCRayHit query{};
     query.ray.org_x = ray.origin.x, query.ray.org_y = ray.origin.y, query.ray.org_z = ray.origin.z;
     query.ray.dir_x = ray.direction.x, query.ray.dir_y = ray.direction.y, query.ray.dir_z = ray.direction.z;

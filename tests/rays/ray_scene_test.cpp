@@ -115,6 +115,8 @@ TEST(RayScene, TakesSegmentsThatAreNotFiniteOrHaveNoLengthAsFree) {
   EXPECT_EQ(blocked(rays, {0.0F, 0.0F, nan}, {0.0F, 0.0F, -1.0F}), 0);
   EXPECT_EQ(blocked(rays, {0.0F, 0.0F, 1.0F}, {0.0F, 0.0F, -infinity}), 0);
   EXPECT_EQ(blocked(rays, {0.0F, 0.0F, 1.0F}, {0.0F, 0.0F, 1.0F}), 0);
+  EXPECT_EQ(blocked(rays, {0.0F, 0.0F, 1e30F}, {0.0F, 0.0F, 1.0F}), 0);
+  EXPECT_EQ(blocked(rays, {1e20F, 0.0F, 1.0F}, {1e20F, 0.0F, -1.0F}), 0);
 }
 
 TEST(SurfaceRays, TheClosestHitNamesObjectTriangleAndPlace) {
