@@ -97,7 +97,7 @@ void ranges(Desk& desk, const Light& light) {
     any = true;
     line(desk, short_words(desk, each), &each, "", "Without the tick it is free again.");
   }
-  if (!any) ImGui::TextDisabled("Right click on the name of a number below.");
+  if (!any) ImGui::TextDisabled("right click a number's name");
 }
 
 void others(Desk& desk, const Light& light) {

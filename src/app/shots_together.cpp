@@ -47,7 +47,7 @@ void solve(Desk& desk, const std::vector<FrameChoice>& choices, bool judge) {
     const auto watch = [studio, count = choices.size()](const SolveReport& report) {
       const bool solving = report.termination == Termination::kRunning;
       return studio->progress(solving ? fmt::format("{} frames together: error {:.4f}, was {:.4f}; Esc stops", count,
-                                                    report.epsilon, report.epsilon_start)
+                                                    report.error(), report.error_start())
                                       : "judging the strokes of each frame; Esc stops");
     };
     return Shots(session).solve(choices, {}, judge, watch, look_of(studio, session));
@@ -137,7 +137,7 @@ void ShotsPanel::together(Desk& desk, const FrameFacts& facts) {
   if (!ready) {
     ImGui::TextDisabled("%s", obstacle.c_str());
   } else if (!facts.solved.empty() && desk.now->report) {
-    ImGui::Text("together %.4f, was %.4f", desk.now->report->epsilon, desk.now->report->epsilon_start);
+    ImGui::Text("together %.4f, was %.4f", desk.now->report->error(), desk.now->report->error_start());
     tip(theme, "The weighted mean of the errors, and what it was. Accept or revert it as any solve.");
   }
 }

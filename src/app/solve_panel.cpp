@@ -9,12 +9,13 @@
 namespace luminist {
 namespace {
 
-/// "error 0.0626, was 0.0989"
+/// "error 0.0626, was 0.0989", and what else a solve minds.
 std::string error_line(const StudioSnapshot& now) {
   if (!now.report || !std::isfinite(now.report->epsilon)) return "";
   const SolveReport& report = *now.report;
-  if (!std::isfinite(report.epsilon_start)) return fmt::format("error {:.4f}", report.epsilon);
-  return fmt::format("error {:.4f}, was {:.4f}", report.epsilon, report.epsilon_start);
+  const char* outside = report.outside() ? "; a number is outside its range" : "";
+  if (!std::isfinite(report.epsilon_start)) return fmt::format("error {:.4f}{}", report.error(), outside);
+  return fmt::format("error {:.4f}, was {:.4f}{}", report.error(), report.error_start(), outside);
 }
 
 std::string state_line(const Desk& desk) {

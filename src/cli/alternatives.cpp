@@ -28,7 +28,7 @@ void print_report(Console& console, const Alternatives& found, const Words& word
   }
   for (std::size_t i = 0; i < found.list.size(); ++i) {
     const Alternative& each = found.list[i];
-    console.result(fmt::format("{}/{}: error {:.5f}{}", words.output, i + 1, each.report.epsilon,
+    console.result(fmt::format("{}/{}: error {:.5f}{}", words.output, i + 1, each.report.error(),
                                i == 0 ? "" : fmt::format(", {:.2f} from the nearest", each.distance)));
   }
   console.result(fmt::format("{} of {} found; {} of {} solutions were within {:.5f}", found.list.size(),

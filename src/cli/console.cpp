@@ -66,8 +66,8 @@ void Console::progress(const std::string& line) {
 }
 
 void Console::progress(const SolveReport& report) {
-  progress(fmt::format("{:6.1f} s  error {:.5f}, was {:.5f}  {} pictures compared", report.seconds, report.epsilon,
-                       report.epsilon_start, report.evals));
+  progress(fmt::format("{:6.1f} s  error {:.5f}, was {:.5f}  {} pictures compared", report.seconds, report.error(),
+                       report.error_start(), report.evals));
 }
 
 void Console::clear_progress() {

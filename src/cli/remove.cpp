@@ -25,8 +25,8 @@ void print_report(Console& console, const RemovalFacts& facts, const SolveReport
   const auto share = [&](double epsilon) { return facts.black > 0.0 ? 100.0 * epsilon / facts.black : 0.0; };
   console.result(fmt::format("without {}: error {:.5f} ({:.2g} % of the picture)", facts.light, facts.epsilon,
                              share(facts.epsilon)));
-  console.result(fmt::format("made up for: error {:.5f} ({:.2g} %); {} pictures compared, {:.1f} s; {}", report.epsilon,
-                             share(report.epsilon), report.evals, report.seconds, to_string(report.termination)));
+  console.result(fmt::format("made up for: error {:.5f} ({:.2g} %); {} pictures compared, {:.1f} s; {}", report.error(),
+                             share(report.error()), report.evals, report.seconds, to_string(report.termination)));
   console.result(fmt::format("{} % of what {} did is shadow{}", std::lround(100.0 * facts.shadow_share), facts.light,
                              facts.shadows_matter() ? ", which other lights hardly make up for" : ""));
 }

@@ -34,7 +34,7 @@ void print_live(Console& console, const LiveMeasure& measure) {
     return;
   }
   console.result(fmt::format("{}: {} strokes, {} events, {} frames, {} pictures drawn", measure.name, measure.strokes,
-                             measure.events, measure.frames, measure.pictures));
+                             measure.events, measure.frames, measure.report.evals));
   console.result(in_ms("event to picture", measure.event_to_picture));
   console.result(in_ms("  paint", measure.paint));
   console.result(in_ms("  new target", measure.retarget));
@@ -45,7 +45,7 @@ void print_live(Console& console, const LiveMeasure& measure) {
   console.result(fmt::format(
       "  after the last event: 95 % of the gain after {}, nothing more after {:.1f} s; "
       "error {:.5f}, then {:.5f}, in the end {:.5f}",
-      in_ms(measure.settled_95), measure.settled, measure.epsilon_before, measure.epsilon_event, measure.epsilon));
+      in_ms(measure.settled_95), measure.settled, measure.error_before, measure.error_event, measure.error));
 }
 
 Result<int> replay(const Words& words, VerbContext& context) {
@@ -71,7 +71,7 @@ Result<int> replay(const Words& words, VerbContext& context) {
     const bool said = report.solver == "live";  // with the latencies
     if (!said) {
       console.result(fmt::format("{}: error {:.5f}, was {:.5f}; {} pictures compared, {:.1f} s; {}", report.solver,
-                                 report.epsilon, report.epsilon_start, report.evals, report.seconds,
+                                 report.error(), report.error_start(), report.evals, report.seconds,
                                  to_string(report.termination)));
     }
     if (solved.verdict) console.result(*solved.verdict);

@@ -62,7 +62,7 @@ Result<int> solve(const SolveWords& words, VerbContext& context) {
     console.result(words.output);
   }
   if (context.signals.stopped() != 0) return 128 + context.signals.stopped();
-  return words.until && solved.report.epsilon > *words.until ? 1 : 0;
+  return words.until && solved.report.error() > *words.until ? 1 : 0;
 }
 
 void declare_solver(CLI::App& app, SolveWords& words) {

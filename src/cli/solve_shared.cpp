@@ -111,7 +111,7 @@ Result<int> solve_shared(const std::vector<SharedView>& views, const std::string
   LUM_TRY_VOID(print_shared(solve, views, verdicts, noun, context.console));
   if (!context.console.json()) context.console.result(words.output);
   if (context.signals.stopped() != 0) return 128 + context.signals.stopped();
-  return words.until && solve.report().epsilon > *words.until ? 1 : 0;
+  return words.until && solve.report().error() > *words.until ? 1 : 0;
 }
 
 }  // namespace luminist

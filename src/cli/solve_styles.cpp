@@ -78,7 +78,7 @@ Result<int> solve_each(const SolveWords& words, const std::vector<Style>& styles
     json["styles"][style.name] = solve_to_json(solved.report, session->shown(), solved.verdict);
     if (!context.console.json()) context.console.result(style.name);
     print_solved(context.console, solved, session->shown());
-    missed = missed || (words.until && solved.report.epsilon > *words.until);
+    missed = missed || (words.until && solved.report.error() > *words.until);
     if (context.signals.stopped() != 0) break;
   }
   context.console.result(context.console.json() ? json.dump() : words.output);

@@ -24,9 +24,11 @@ std::string free_values(const ParamBlock& block) {
 }  // namespace
 
 std::string report_line(const SolveReport& report) {
-  return fmt::format("{}: error {:.5f}, was {:.5f}; {} pictures compared, {:.3g} render equivalents, {:.1f} s; {}",
-                     report.solver, report.epsilon, report.epsilon_start, report.evals, report.render_equivalents,
-                     report.seconds, to_string(report.termination));
+  const std::string ranges =
+      report.outside() ? fmt::format("; numbers outside their ranges count {:.4g} besides", report.penalty) : "";
+  return fmt::format("{}: error {:.5f}, was {:.5f}{}; {} pictures compared, {:.3g} render equivalents, {:.1f} s; {}",
+                     report.solver, report.error(), report.error_start(), ranges, report.evals,
+                     report.render_equivalents, report.seconds, to_string(report.termination));
 }
 
 void print_free_values(Console& console, const ParamState& state, bool without_style) {

@@ -18,7 +18,7 @@ Result<Outcome> WatchedSolves::run(ParamState start, const SolveOptions& options
   progress_.doing = doing;
   for (bool more = true; more;) {
     LUM_TRY(more, solve.run_for(kSlice));
-    progress_.epsilon = solve.report().epsilon;
+    progress_.epsilon = solve.report().error();
     stopped_ = stopped_ || (*watch_ && !(*watch_)(progress_));
     if (!more || !stopped_) continue;
     solve.stop();

@@ -13,7 +13,7 @@ struct ExploreProgress {
   int done = 0;          ///< solves that have ended
   int planned = 0;       ///< at most
   std::string doing;     ///< "without fill", "other lights 3"
-  double epsilon = 0.0;  ///< best so far of the solve under way
+  double epsilon = 0.0;  ///< best so far of the solve under way, without penalty
 };
 
 /// Asked about every 50 ms; false: stop, what was found so far is kept. May be empty: never stop.

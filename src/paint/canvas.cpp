@@ -31,6 +31,10 @@ Result<ObjectMask> clip_under(const StrokePoint& point, const SurfaceBuffer& sur
   return mask;
 }
 
+ShadowPicture which_shadows(PaintTool tool) {
+  return tool == PaintTool::kShadow ? ShadowPicture::kFreeLightsOff : ShadowPicture::kShadowsOff;
+}
+
 }  // namespace
 
 Result<ObjectMask> clip_mask(const Stroke& stroke, const SurfaceBuffer& surface) {
@@ -79,7 +83,7 @@ void Canvas::begin(Image picture) {
   state_.peak.reset();
   state_.layers = LayerStack();
   work_.reset();
-  forget_shadow_pictures();
+  shadow_pictures_ = std::make_shared<ShadowPictures>();
   refresh_importance(everywhere());
 }
 
@@ -90,7 +94,7 @@ void Canvas::rebase(Image picture) {
 
 void Canvas::restore(CanvasState state) {
   LUM_CHECK(state.target.color.same_size(state_.target.color), "a state belongs to canvases of its size");
-  if (state.target.before.data != state_.target.before.data) forget_shadow_pictures();
+  if (state.target.before.data != state_.target.before.data) shadow_pictures_ = std::make_shared<ShadowPictures>();
   state_ = std::move(state);
   work_.reset();
   refresh_importance(everywhere());
@@ -126,16 +130,24 @@ Result<std::shared_ptr<const Image>> Canvas::source_of(const Brush& brush, const
     return std::make_shared<const Image>(std::move(copied));
   }
   if (brush.tool != PaintTool::kShadow && brush.tool != PaintTool::kShadowEraser) return std::shared_ptr<const Image>();
-  const ShadowPicture which =
-      brush.tool == PaintTool::kShadow ? ShadowPicture::kFreeLightsOff : ShadowPicture::kShadowsOff;
-  std::shared_ptr<const Image>& known = shadow_pictures_[static_cast<std::size_t>(which)];
+  LUM_TRY_VOID(ready_shadows(brush.tool));
+  return shadows_of(brush.tool);
+}
+
+std::shared_ptr<const Image>& Canvas::shadows_of(PaintTool tool) const {
+  return (*shadow_pictures_)[static_cast<std::size_t>(which_shadows(tool))];
+}
+
+Result<void> Canvas::ready_shadows(PaintTool tool) {
+  if (tool != PaintTool::kShadow && tool != PaintTool::kShadowEraser) return {};
+  std::shared_ptr<const Image>& known = shadows_of(tool);
   if (!known) {
     LUM_CHECK(shadow_source_ != nullptr, "whoever lets shadows be painted renders what they copy from");
-    LUM_TRY(Image picture, shadow_source_(which));
+    LUM_TRY(Image picture, shadow_source_(which_shadows(tool)));
     LUM_CHECK(picture.same_size(state_.target.color), "it is rendered at the picture's size");
     known = std::make_shared<const Image>(std::move(picture));
   }
-  return known;
+  return {};
 }
 
 Result<PixelBox> Canvas::apply(const Stroke& stroke, const std::string& folder) {

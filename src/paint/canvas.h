@@ -98,8 +98,13 @@ class Canvas {
   /// Puts back a state of a canvas of the same size; target.importance is made anew. cost O(pixels).
   void restore(CanvasState state);
 
-  /// Lights or their locks changed: the pictures of shadows are asked for again when they are needed.
-  void forget_shadow_pictures() { shadow_pictures_ = {}; }
+  /// What the shadow brush or its eraser copies from is there before a stroke waits for it. Nothing for other tools.
+  /// errors the shadow source's. cost a picture, unless it is known.
+  Result<void> ready_shadows(PaintTool tool);
+  [[nodiscard]] bool has_shadows(PaintTool tool) const { return shadows_of(tool) != nullptr; }
+  /// What either canvas asks for serves both, until one is rebased.
+  /// of: a canvas of the same lights on the same picture.
+  void share_shadows(const Canvas& of) { shadow_pictures_ = of.shadow_pictures_; }
 
  private:
   /// The active layer by itself, where the composite is more than that.
@@ -114,18 +119,20 @@ class Canvas {
   [[nodiscard]] Underlay underlay() const;
   void show(const PixelBox& box);
   Result<PixelBox> lay_open(std::span<const StrokePoint> points);
+  [[nodiscard]] std::shared_ptr<const Image>& shadows_of(PaintTool tool) const;
   Result<std::shared_ptr<const Image>> source_of(const Brush& brush, const std::string& folder);
   Result<void> complete(KeptStroke& stroke, const std::string& folder);
   void keep(KeptStroke stroke);
   void refresh_importance(const PixelBox& box);
   void begin(Image picture);
 
+  using ShadowPictures = std::array<std::shared_ptr<const Image>, 2>;
   [[nodiscard]] PixelBox everywhere() const { return {0, 0, surface_->width, surface_->height}; }
 
   const SurfaceBuffer* surface_;
   ShadowSource shadow_source_;
   ImageReader images_;
-  std::array<std::shared_ptr<const Image>, 2> shadow_pictures_;  ///< shared by copies: they never change
+  std::shared_ptr<ShadowPictures> shadow_pictures_ = std::make_shared<ShadowPictures>();  ///< shared by copies
   CanvasState state_;
   std::optional<LayerWork> work_;  ///< made when it is needed
   std::optional<OpenStroke> open_;

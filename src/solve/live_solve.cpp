@@ -44,11 +44,6 @@ bool same_values(const ParamState& a, const ParamState& b) {
                             [](const ParamBlock* left, const ParamBlock* right) { return left->same_values(*right); });
 }
 
-double penalty_of(const ParamState& state, const SceneFrame& frame) {
-  const std::vector<const ParamBlock*> blocks = state.blocks();
-  return penalty(UnitMap::create(blocks, frame).to_unit(blocks));
-}
-
 }  // namespace
 
 class LiveSolve::Impl {
@@ -90,8 +85,12 @@ class LiveSolve::Impl {
   Result<void> descend();
   Result<void> search();
   void enter(Phase phase);
-  [[nodiscard]] double epsilon_of(const Image& picture, const ParamState& state) const {
-    return picture_error(picture, target_, renderer_->style().metric) + penalty_of(state, renderer_->frame());
+  void tell(double error, double penalty) {
+    report_.epsilon = error + penalty;
+    report_.penalty = penalty;
+  }
+  [[nodiscard]] double error_of(const Image& picture) const {
+    return picture_error(picture, target_, renderer_->style().metric);
   }
 
   Renderer* renderer_;
@@ -128,7 +127,7 @@ Result<void> LiveSolve::Impl::begin(Image picture) {
     ++report_.pictures;
   }
   LUM_TRY_VOID(cut());
-  report_.epsilon = epsilon_of(picture_, best_);
+  tell(error_of(picture_), penalty_of(best_, renderer_->frame()));
   enter(Phase::kBegin);
   return {};
 }
@@ -183,7 +182,7 @@ Result<void> LiveSolve::Impl::retarget(const Target& target, const PixelBox& cha
   searches_ = 0;
   compared_ = false;
   if (moved > kMoved) LUM_TRY_VOID(cut());
-  report_.epsilon = epsilon_of(picture_, best_);
+  tell(error_of(picture_), penalty_of(best_, renderer_->frame()));
   enter(Phase::kBegin);
   return {};
 }
@@ -291,11 +290,12 @@ Result<bool> LiveSolve::Impl::show() {
   compared_ = false;
   LUM_TRY(Image picture, renderer_->render(state, {.moving = moving_}));
   ++report_.pictures;
-  const double epsilon = epsilon_of(picture, state);
-  if (!(epsilon < report_.epsilon)) return false;
+  const double error = error_of(picture);
+  const double penalty = penalty_of(state, renderer_->frame());
+  if (!(error + penalty < report_.epsilon)) return false;
   best_ = std::move(state);
   picture_ = std::move(picture);
-  report_.epsilon = epsilon;
+  tell(error, penalty);
   return true;
 }
 

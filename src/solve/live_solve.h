@@ -16,10 +16,13 @@ enum class Hand { kMoves, kRests };
 
 struct LiveReport {
   double epsilon = std::numeric_limits<double>::infinity();  ///< of the picture shown, against the present target
+  double penalty = 0.0;                                      ///< the part of it of parameters outside their ranges
   int pictures = 0;                                          ///< drawn, the start's too
   bool following = false;  ///< descending on samples; else the lights are searched for as in any solve
   bool settled = false;    ///< nothing more is found for the present target
   Termination termination = Termination::kRunning;  ///< of the search that settled it
+
+  [[nodiscard]] double error() const { return epsilon - penalty; }
 };
 
 /// Keeps the best lights for a target that is still being painted, and the picture of them.

@@ -63,6 +63,11 @@ ParamState Objective::state(std::span<const double> x) const {
   return result;
 }
 
+double penalty_of(const ParamState& state, const SceneFrame& frame) {
+  const std::vector<const ParamBlock*> blocks = state.blocks();
+  return penalty(UnitMap::create(blocks, frame).to_unit(blocks));
+}
+
 void Objective::recentre(const ParamState& state) {
   centre_ = state;
   map_ = map_of(centre_, renderer_->frame());

@@ -39,6 +39,9 @@ class Objective {
   std::vector<int> moving_;
 };
 
+/// The second sum of epsilon at a state.
+double penalty_of(const ParamState& state, const SceneFrame& frame);
+
 /// Places in the rig of the lights that a map's degrees of freedom change, as Objective::moving().
 std::vector<int> moving_lights(const ParamState& state, const UnitMap& map);
 

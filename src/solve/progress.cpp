@@ -20,12 +20,20 @@ void Progress::tally() {
 }
 
 void Progress::record(const ParamState& state, double epsilon) {
+  record(state, epsilon, penalty_of(state, renderer_->frame()));
+}
+
+void Progress::record(const ParamState& state, double epsilon, double penalty) {
   tally();
   ++report_.evals;
   const bool first = report_.evals == 1;
-  if (first) report_.epsilon_start = epsilon;
+  if (first) {
+    report_.epsilon_start = epsilon;
+    report_.penalty_start = penalty;
+  }
   if (first || epsilon < report_.epsilon) {
     report_.epsilon = epsilon;
+    report_.penalty = penalty;
     best_ = state;
     report_.convergence.push_back({report_.render_equivalents, report_.evals, report_.seconds, epsilon});
   }
@@ -45,6 +53,7 @@ void Progress::compare_anew(double epsilon_start, double epsilon) {
 
 void Progress::improve(const ParamState& state, double epsilon) {
   report_.epsilon = epsilon;
+  report_.penalty = penalty_of(state, renderer_->frame());
   best_ = state;
   report_.convergence.push_back({report_.render_equivalents, report_.evals, report_.seconds, epsilon});
   if (epsilon <= options_.until) finish(Termination::kTargetReached);

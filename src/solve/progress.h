@@ -14,6 +14,8 @@ class Progress {
 
   /// A full picture of `state` was compared: epsilon with penalty. The first one is the start's.
   void record(const ParamState& state, double epsilon);
+  /// The same with a penalty that also counts how far directions have turned.
+  void record(const ParamState& state, double epsilon, double penalty);
   /// A full picture was compared in another way than those of record().
   void count() { ++report_.evals; }
   /// What start and best come to where they are compared more exactly: the report tells that from now on.

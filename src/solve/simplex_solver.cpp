@@ -11,7 +11,7 @@ SimplexSolver::SimplexSolver(Renderer& renderer, const Target& target, Progress&
 Result<bool> SimplexSolver::step() {
   const std::vector<double> x = simplex_.point();
   LUM_TRY(const double epsilon, objective_.evaluate(x));
-  progress_->record(objective_.state(x), epsilon);
+  progress_->record(objective_.state(x), epsilon, penalty(x));
   simplex_.tell(epsilon);
   if (simplex_.restarted()) {
     const ParamState minimum = objective_.state(simplex_.best());

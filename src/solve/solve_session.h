@@ -37,12 +37,20 @@ struct SolveReport {
   /// Infinite until the start was compared. Both are told anew once estimates are compared more exactly (refinement.h).
   double epsilon_start = std::numeric_limits<double>::infinity();
   double epsilon = std::numeric_limits<double>::infinity();
+  double penalty_start = 0.0;       ///< what parameters outside their ranges add to epsilon_start
+  double penalty = 0.0;             ///< and to epsilon
   int evals = 0;                    ///< full pictures compared
   double render_equivalents = 0.0;  ///< all work over that of one full picture of the starting rig
   double seconds = 0.0;
   std::string solver;  ///< what ran: "fast" or "simplex"
   Termination termination = Termination::kRunning;
   std::vector<ConvergencePoint> convergence;
+
+  /// How far the pictures are from the target, whatever the ranges: what is told to whoever painted it.
+  [[nodiscard]] double error_start() const { return epsilon_start - penalty_start; }
+  [[nodiscard]] double error() const { return epsilon - penalty; }
+  /// Whether a number is outside its range by more than the rounding of what is stored.
+  [[nodiscard]] bool outside() const { return penalty > 1e-5; }
 };
 
 /// errors kNothingToDo if everything is locked (names the locks).

@@ -83,7 +83,7 @@ Result<void> write_alternatives(Session& session, const Alternatives& found, con
     LUM_TRY(const Results results, collect_results(session, each.state, *target, each.report));
     LUM_TRY_VOID(write_results(results, folder / std::to_string(i + 1)));
     const std::string apart = i == 0 ? "the best" : fmt::format("{:.2f} from the nearest", each.distance);
-    sheet.add(fmt::format("{}: error {:.4f}, {}", i + 1, each.report.epsilon, apart), results, each.state.rig);
+    sheet.add(fmt::format("{}: error {:.4f}, {}", i + 1, each.report.error(), apart), results, each.state.rig);
   }
   LUM_TRY_VOID(sheet.write(folder));
   return write_report(alternatives_to_json(found), folder);
@@ -115,7 +115,7 @@ Result<void> write_removal(Session& session, const RemovalFacts& facts, const fs
   LUM_TRY(const Results results, collect_results(session));
   sheet.add("with " + facts.light, old, before.rig);
   sheet.add(fmt::format("without {}: error {:.5f}", facts.light, facts.epsilon), bare, without.rig);
-  sheet.add(fmt::format("made up for: error {:.5f}", solved->report.epsilon), results, after.rig);
+  sheet.add(fmt::format("made up for: error {:.5f}", solved->report.error()), results, after.rig);
   LUM_TRY_VOID(write_results(results, folder));
   LUM_TRY_VOID(sheet.write(folder));
   return write_report(removal_to_json(facts, solved->report, after), folder);

@@ -35,7 +35,7 @@ Result<LightKind> try_kind(Session& session, const NewLight& wanted, const Start
     go_on = !watch || watch(solve.report());
   }
   if (!go_on) solve.stop();
-  kind.epsilon = solve.report().epsilon;
+  kind.epsilon = solve.report().error();
   return kind;
 }
 

@@ -15,8 +15,8 @@ Result<std::vector<std::string>> kinds_named(const std::string& type, const Ligh
 /// What a kind of light came to on its own.
 struct LightKind {
   std::string type;
-  int dofs = 0;  ///< of the new light that a solve may turn
-  double epsilon = 0.0;
+  int dofs = 0;          ///< of the new light that a solve may turn
+  double epsilon = 0.0;  ///< without penalty
 };
 struct LightKinds {
   double epsilon_without = 0.0;  ///< with no light added

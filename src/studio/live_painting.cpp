@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "render/metric.h"
+#include "solve/objective.h"
 #include "solve/start_light.h"
 
 namespace luminist {
@@ -72,16 +73,34 @@ Result<LiveEvent> LivePainting::follow(Result<PixelBox> painted, Hand hand, Cloc
   const bool began = solve_.has_value();
   LUM_TRY_VOID(retarget(*painted));
   event.retarget = lap(since);
-  event.epsilon_before = began ? solve_->report().epsilon : error_of(canvas_.target().before);
-  event.epsilon = event.epsilon_before;
+  event.error_before = began ? solve_->report().error() : error_of(canvas_.target().before);
+  event.error = event.error_before;
   if (!solve_) return event;
   since = Clock::now();
   LUM_TRY(event.more, solve_->run_for(options_.slice, hand));
   event.solve = lap(since);
   LUM_TRY(event.changed, solve_->show());
   event.picture = lap(since);
-  event.epsilon = solve_->report().epsilon;
+  event.error = solve_->report().error();
   return event;
+}
+
+SolveReport LivePainting::report() const {
+  const LiveReport& live = solve_->report();
+  SolveReport report;
+  report.solver = "live";
+  report.termination = live.settled ? live.termination : Termination::kStopped;
+  report.evals = live.pictures;
+  report.epsilon = live.epsilon;
+  report.penalty = live.penalty;
+  return report;
+}
+
+SolveReport LivePainting::report_from(double error, const ParamState& lights) const {
+  SolveReport report = this->report();
+  report.penalty_start = penalty_of(lights, stage_->frame);
+  report.epsilon_start = error + report.penalty_start;
+  return report;
 }
 
 double LivePainting::error_of(const Image& picture) const {

@@ -14,15 +14,15 @@ namespace luminist {
 
 /// What became of one event, and what its parts took, in seconds.
 struct LiveEvent {
-  double paint = 0.0;           ///< strokes into target and importance
-  double retarget = 0.0;        ///< the solver takes the new target; the first time it is made
-  double solve = 0.0;           ///< the slice
-  double picture = 0.0;         ///< drawn and compared, where something was found
-  double epsilon_before = 0.0;  ///< of the picture shown until now, against the target now
-  double epsilon = 0.0;         ///< of the picture shown then
-  PixelBox painted;             ///< where the target may be another
-  bool changed = false;         ///< another picture is shown
-  bool more = false;            ///< there is more to gain
+  double paint = 0.0;         ///< strokes into target and importance
+  double retarget = 0.0;      ///< the solver takes the new target; the first time it is made
+  double solve = 0.0;         ///< the slice
+  double picture = 0.0;       ///< drawn and compared, where something was found
+  double error_before = 0.0;  ///< of the picture shown until now, against the target now
+  double error = 0.0;         ///< of the picture shown then
+  PixelBox painted;           ///< where the target may be another
+  bool changed = false;       ///< another picture is shown
+  bool more = false;          ///< there is more to gain
   [[nodiscard]] double total() const { return paint + retarget + solve + picture; }
 };
 
@@ -47,6 +47,9 @@ class LivePainting {
   /// errors the renderer's. cost a picture and the samples.
   Result<void> get_ready();
 
+  /// Before the first stroke of a shadow brush waits for it, as Canvas's.
+  Result<void> ready_shadows(PaintTool tool) { return canvas_.ready_shadows(tool); }
+  [[nodiscard]] bool has_shadows(PaintTool tool) const { return canvas_.has_shadows(tool); }
   /// Weights of what is not painted; no event. cost O(pixels).
   void set_importance(float nu, float delta);
   /// The events of a hand: paint, retarget, a slice, the picture. A bucket is an event of its own.
@@ -65,13 +68,10 @@ class LivePainting {
   [[nodiscard]] const Target& target() const { return canvas_.target(); }
   /// Of a picture of the shot, against the target now. cost O(pixels)
   [[nodiscard]] double error_of(const Image& picture) const;
-  /// kStopped while there is more to gain.
-  [[nodiscard]] Termination termination() const {
-    return solve_ && solve_->report().settled ? solve_->report().termination : Termination::kStopped;
-  }
-  /// Of picture(), against the target now; 0 without lights.
-  [[nodiscard]] double epsilon() const { return solve_ ? solve_->report().epsilon : 0.0; }
-  [[nodiscard]] int pictures() const { return solve_ ? solve_->report().pictures : 0; }
+  /// As of a solve that was stopped while there is more to gain; what it began with is not told. There are lights.
+  [[nodiscard]] SolveReport report() const;
+  /// The same from the picture that is painted on: its error and its lights.
+  [[nodiscard]] SolveReport report_from(double error, const ParamState& lights) const;
 
  private:
   Result<LiveEvent> follow(Result<PixelBox> painted, Hand hand, std::chrono::steady_clock::time_point since);

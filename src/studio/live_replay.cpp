@@ -16,7 +16,7 @@ constexpr double kEventsPerSecond = 60.0;
 constexpr int kPointsPerEvent = 2;
 constexpr double kHandSpeed = 1.0;  // picture heights a second
 constexpr double kPause = 0.25;     // seconds between strokes
-constexpr double kVisible = 0.01;   // of epsilon: an improvement
+constexpr double kVisible = 0.01;   // of the error: an improvement
 
 /// What the hand sends at once.
 struct HandEvent {
@@ -68,7 +68,7 @@ std::vector<HandEvent> hand_events(const StrokeFile& file) {
 /// A moment after the last event.
 struct Moment {
   double seconds = 0.0;
-  double epsilon = 0.0;
+  double error = 0.0;
 };
 
 /// Runs the events through the loop of a window.
@@ -90,12 +90,12 @@ class HandReplay {
 
   /// After the last event, until nothing more is found.
   Result<void> settle(std::optional<double> seconds, const std::function<bool()>& watch) {
-    moments_ = {{since_last(), frames_.back().epsilon}};
+    moments_ = {{since_last(), frames_.back().error}};
     for (bool more = true; more && watch() && !(seconds && since_last() > *seconds);) {
       LUM_TRY(const LiveEvent rest, painting_->rest());
       clock_ += rest.total();
-      look(rest.epsilon);
-      moments_.push_back({since_last(), rest.epsilon});
+      look(rest.error);
+      moments_.push_back({since_last(), rest.error});
       more = rest.more;
     }
     return {};
@@ -122,7 +122,7 @@ class HandReplay {
     while (more && clock_ < arrival) {
       LUM_TRY(const LiveEvent rest, painting_->rest());
       clock_ += rest.total();
-      look(rest.epsilon);
+      look(rest.error);
       more = rest.more;
     }
     clock_ = std::max(clock_, arrival);
@@ -154,14 +154,14 @@ class HandReplay {
     if (!lifted) return {};
     lifted_ = events_[next_ - 1].arrival;
     wanted_ = (1.0 - kVisible) * painting_->error_of(before_);
-    look(event.epsilon);
+    look(event.error);
     if (!recorded.brush.bucket) LUM_TRY_VOID(painting_->end());
     return {};
   }
 
   /// Whether the picture is nearer to the target, since the last stroke is whole, than that shown before the stroke.
-  void look(double epsilon) {
-    if (epsilon > wanted_) return;
+  void look(double error) {
+    if (error > wanted_) return;
     improvements_.push_back(clock_ - lifted_);
     wanted_ = -1.0;
   }
@@ -178,15 +178,15 @@ class HandReplay {
   std::vector<double> latencies_;
   Image before_;          ///< shown when the last stroke began
   double lifted_ = 0.0;   ///< when the last stroke ended
-  double wanted_ = -1.0;  ///< an epsilon that is an improvement on before_; negative if there is nothing to wait for
+  double wanted_ = -1.0;  ///< an error that is an improvement on before_; negative if there is nothing to wait for
   std::vector<double> improvements_;
   std::vector<Moment> moments_;
 };
 
 /// The first moment at most that far from the target; -1 if there is none.
-double reached(const std::vector<Moment>& moments, double epsilon) {
+double reached(const std::vector<Moment>& moments, double error) {
   for (const Moment& moment : moments) {
-    if (moment.epsilon <= epsilon) return moment.seconds;
+    if (moment.error <= error) return moment.seconds;
   }
   return -1.0;
 }
@@ -209,6 +209,7 @@ Latency latency_of(std::vector<double> seconds) {
 Result<LiveMeasure> paint_live(LivePainting& painting, const StrokeFile& strokes, const std::string& path,
                                std::optional<double> seconds, const std::function<bool()>& watch) {
   const Image start = painting.picture();
+  const ParamState lights = painting.best();
   painting.set_importance(strokes.nu, strokes.delta);
   HandReplay hand(painting, strokes, path);
   LUM_TRY_VOID(hand.paint(watch));
@@ -228,16 +229,15 @@ Result<LiveMeasure> paint_live(LivePainting& painting, const StrokeFile& strokes
   measure.retarget = hand.of(&LiveEvent::retarget);
   measure.solve = hand.of(&LiveEvent::solve);
   measure.picture = hand.of(&LiveEvent::picture);
-  measure.epsilon_before = hand.last_frame().epsilon_before;
-  measure.epsilon_event = moments.front().epsilon;
-  measure.epsilon = moments.back().epsilon;
+  measure.error_before = hand.last_frame().error_before;
+  measure.error_event = moments.front().error;
+  measure.error = moments.back().error;
   measure.improved = static_cast<int>(hand.improvements().size());
   measure.stroke_to_improvement = latency_of(hand.improvements());
-  measure.settled_95 = reached(moments, measure.epsilon + 0.05 * (measure.epsilon_before - measure.epsilon));
+  measure.settled_95 = reached(moments, measure.error + 0.05 * (measure.error_before - measure.error));
   measure.settled = moments.back().seconds;
-  measure.termination = painting.termination();
-  measure.epsilon_start = painting.error_of(start);
-  measure.pictures = painting.pictures();
+  measure.report = painting.report_from(painting.error_of(start), lights);
+  measure.report.seconds = measure.settled;
   return measure;
 }
 
@@ -255,10 +255,10 @@ nlohmann::json live_to_json(const LiveMeasure& measure) {
           {"stroke_to_improvement", to_json(measure.stroke_to_improvement)},
           {"settled_95", measure.settled_95},
           {"settled", measure.settled},
-          {"epsilon_before", measure.epsilon_before},
-          {"epsilon_event", measure.epsilon_event},
-          {"epsilon", measure.epsilon},
-          {"pictures", measure.pictures}};
+          {"error_before", measure.error_before},
+          {"error_event", measure.error_event},
+          {"error", measure.error},
+          {"pictures", measure.report.evals}};
 }
 
 }  // namespace luminist

@@ -36,12 +36,10 @@ struct LiveMeasure {
   Latency stroke_to_improvement;  ///< ...by 1 % than the one shown when they began; from the end of the stroke
   double settled_95 = 0.0;        ///< from the last event until 95 % of what was still to be gained was gained
   double settled = 0.0;           ///< until nothing more was found
-  Termination termination = Termination::kRunning;
-  double epsilon_start = 0.0;   ///< of the picture before the first event, against the final target
-  double epsilon_before = 0.0;  ///< of the picture shown when the last event came, against the final target
-  double epsilon_event = 0.0;   ///< of the picture that answered the last event
-  double epsilon = 0.0;         ///< at the end
-  int pictures = 0;
+  double error_before = 0.0;      ///< of the picture shown when the last event came, against the final target
+  double error_event = 0.0;       ///< of the picture that answered the last event
+  double error = 0.0;             ///< at the end
+  SolveReport report;             ///< from the picture before the first event, against the final target
 };
 
 /// Paints strokes as a hand does: 60 events a second, each with the points of a tablet of 120 Hz, at one picture height

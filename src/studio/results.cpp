@@ -126,6 +126,8 @@ Json solve_to_json(const SolveReport& report, const ParamState& state, const std
   }
   Json json = {{"epsilon_start", report.epsilon_start},
                {"epsilon", report.epsilon},
+               {"penalty_start", report.penalty_start},
+               {"penalty", report.penalty},
                {"evals", report.evals},
                {"render_equivalents", report.render_equivalents},
                {"seconds", report.seconds},

@@ -38,10 +38,10 @@ Result<void> write_results(const Results& results, const std::filesystem::path& 
 /// Importance as the paper prints it: 1 is black.
 Image importance_picture(const Image& importance);
 
-/// {"epsilon_start", "epsilon", "evals", "render_equivalents", "seconds", "solver", "termination", "lights": [{"name",
-/// "type", "group", "muted", "objects", "unlocked", "params"}], "ambient": {parameter: value}, "style": {parameter:
-/// value}, "materials": {material: {parameter: value}} of those that are turned or free, "verdict" if there is one:
-/// verdict_to_json()}
+/// {"epsilon_start", "epsilon", "penalty_start", "penalty", "evals", "render_equivalents", "seconds", "solver",
+/// "termination", "lights": [{"name", "type", "group", "muted", "objects", "unlocked", "params"}], "ambient":
+/// {parameter: value}, "style": {parameter: value}, "materials": {material: {parameter: value}} of those that are
+/// turned or free, "verdict" if there is one: verdict_to_json()}
 nlohmann::json solve_to_json(const SolveReport& report, const ParamState& state,
                              const std::optional<Verdict>& verdict = std::nullopt);
 /// One JSON object a line: render_equivalents, evals, seconds, epsilon.

@@ -18,18 +18,6 @@ std::vector<std::string> added_lights(const LightRig& before, const LightRig& af
   return names;
 }
 
-/// What the solve came to, in the words of any other.
-SolveReport report_of(const LiveMeasure& measure) {
-  SolveReport report;
-  report.epsilon_start = measure.epsilon_start;
-  report.epsilon = measure.epsilon;
-  report.evals = measure.pictures;
-  report.seconds = measure.settled;
-  report.solver = "live";
-  report.termination = measure.termination;
-  return report;
-}
-
 }  // namespace
 
 std::size_t ScriptRunner::live_group(std::span<const Action> actions) {
@@ -75,7 +63,7 @@ Result<void> ScriptRunner::run_live(std::span<const Action> group, const LiveRep
   });
   if (!measured) return stopped ? export_stopped() : std::move(measured).error();
   const LiveMeasure& measure = *measured;
-  const SolveReport report = report_of(measure);
+  const SolveReport& report = measure.report;
   LUM_TRY(const Target* target, session_->target());
   session_->propose(painting.best(), {how.solve, report, *target, "Accept a live solve"});
   if (stopped) return export_stopped();

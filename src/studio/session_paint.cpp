@@ -67,6 +67,7 @@ Result<Canvas> Session::canvas_copy() {
     return render_shadow_picture(*stage_->renderer, lights, which);
   });
   copy.restore(canvas->state());
+  copy.share_shadows(*canvas);
   return copy;
 }
 

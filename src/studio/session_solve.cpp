@@ -110,7 +110,7 @@ Result<void> Session::accept() {
                        {"epsilon", report.epsilon},
                        {"termination", to_string(report.termination)}};
   const std::string label =
-      fmt::format("{}: error {:.4g} to {:.4g}", accepted.label, report.epsilon_start, report.epsilon);
+      fmt::format("{}: error {:.4g} to {:.4g}", accepted.label, report.error_start(), report.error());
   LUM_TRY_VOID(commit(label, action.dump(), document));
   solved_ = std::move(accepted);
   state_ = std::move(next);

@@ -122,12 +122,7 @@ Result<void> Workbench::preview(const std::vector<std::string>& assignments) {
 /// The lights that the brush found become the session's proposal.
 Result<void> Workbench::put_proposal() {
   if (!live_painting_ || !live_painting_->has_lights() || proposal_put_ || stroke_) return {};
-  SolveReport report;
-  report.solver = "live";
-  report.termination = live_painting_->termination();
-  report.evals = live_painting_->pictures();
-  report.epsilon_start = start_epsilon_;
-  report.epsilon = live_painting_->epsilon();
+  const SolveReport report = live_painting_->report_from(error_before_, session_->state());
   session_->propose(live_painting_->best(), {{}, report, live_painting_->target(), "Accept a live solve"});
   proposal_put_ = true;
   return {};
@@ -296,7 +291,6 @@ Result<bool> Workbench::follow_at_rest() {
   if (!live_painting_ || !resting_) return false;
   LUM_TRY(const LiveEvent event, live_painting_->rest());
   resting_ = event.more;
-  live_epsilon_ = event.epsilon;
   if (event.changed) picture_.reset(), proposal_put_ = false;
   const Shot& shot = session_->shot();
   if (picture_ && picture_->width != shot.width && live_painting_->has_lights()) picture_.reset();

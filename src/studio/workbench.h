@@ -106,6 +106,7 @@ class Workbench : private WorkbenchData {
   Result<void> go_on_quick();
   [[nodiscard]] bool wants_other_quick() const;
   Result<void> prepare_stroke();
+  void prepare_shadows();
   void make_quick_ready();
   void end_quick();
   /// The picture shown is a small one.

@@ -67,12 +67,12 @@ struct WorkbenchData {
   std::map<std::size_t, std::string> labels_;  ///< of commands, by index
   std::map<std::size_t, KeptProposal> kept_;   ///< by the number of commands that were in force
   std::size_t undo_seen_ = 0;
-  double start_epsilon_ = 0.0;  ///< error of what is painted on
-  double live_epsilon_ = 0.0;   ///< of the picture of live_painting_
+  double error_before_ = 0.0;  ///< of what is painted on, without penalty
   std::uint32_t unanswered_ = 0;
   std::uint64_t strokes_taken_ = 0, version_ = 0;
   std::shared_ptr<const ShotFacts> facts_;
-  std::uint64_t facts_of_ = 0, unprepared_ = 0;  ///< ids of stages: the facts', and one that was tried to be had small
+  /// Ids of stages: the facts', one that was tried to be had small, one whose shadow brushes have nothing to copy.
+  std::uint64_t facts_of_ = 0, unprepared_ = 0, unshadowed_ = 0;
   std::shared_ptr<const Image> picture_;
   PaintedBuffers painted_buffers_;
   std::shared_ptr<const PaintedPictures> painted_;

@@ -27,7 +27,7 @@ Result<void> Workbench::offer_alternatives(const ExploreWatch& watch) {
   LUM_TRY(const Alternatives found, find_alternatives(*session_, AlternativesOptions{}, watch));
   std::vector<Offer> offers;
   for (const Alternative& each : found.list) {
-    LUM_TRY_VOID(add_offer(offers, fmt::format("error {:.4f}", each.report.epsilon), each.state, each.report));
+    LUM_TRY_VOID(add_offer(offers, fmt::format("error {:.4f}", each.report.error()), each.state, each.report));
   }
   offers_ = std::make_shared<const std::vector<Offer>>(std::move(offers));
   return {};
@@ -73,7 +73,11 @@ Result<void> Workbench::take_offer(std::size_t offer) {
 Result<void> Workbench::prepare() {
   if (!session_ || !device_->info().software || !QuickStage::helps(session_->shot())) return {};
   if (unprepared_ == session_->stage().id) return {};
-  if (quick_stages_.size() == QuickStage::kSizes.size()) return prepare_stroke();
+  if (quick_stages_.size() == QuickStage::kSizes.size()) {
+    LUM_TRY_VOID(prepare_stroke());
+    prepare_shadows();
+    return {};
+  }
   Diagnostics told_already;
   auto stage = QuickStage::open(*device_, roots_, session_->shot(), QuickStage::kSizes[quick_stages_.size()],
                                 session_->project().folder().parent_path(), told_already);

@@ -96,7 +96,7 @@ Result<void> Workbench::refresh_pictures(StudioSnapshot& next) {
       LUM_TRY(target, session_->target());
     }
     painted_ = painted_buffers_.show(*target);
-    if (live_painting_ && !stroke_) start_epsilon_ = live_painting_->error_of(live_painting_->target().before);
+    if (live_painting_ && !stroke_) error_before_ = live_painting_->error_of(live_painting_->target().before);
   }
   next.picture = picture_;
   next.painted = painted_;
@@ -120,17 +120,9 @@ void Workbench::tell_solve(StudioSnapshot& next) {
   next.proposal = session_->has_proposal() || lights || quick;
   next.solving = solving_ || follow_again_ || (live_painting_ && resting_);
   if (quick) {
-    next.report = SolveReport{};
-    next.report->solver = "live";
-    next.report->epsilon = live_epsilon_;
+    next.report = quick_painting_->report();
   } else if (lights && !proposal_put_) {
-    SolveReport report;
-    report.solver = "live";
-    report.epsilon_start = start_epsilon_;
-    report.epsilon = live_epsilon_;
-    report.termination = live_painting_->termination();
-    report.evals = live_painting_->pictures();
-    next.report = std::move(report);
+    next.report = live_painting_->report_from(error_before_, session_->state());
   } else if (const Solved* solved = session_->solved(); solved != nullptr && session_->has_proposal()) {
     next.report = solved->report;
     next.verdict = solved->verdict;

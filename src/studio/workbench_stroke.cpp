@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "raster/raster_renderer.h"
 #include "studio/workbench.h"
 
 namespace luminist {
@@ -24,7 +25,7 @@ Result<void> Workbench::follow() {
                          LivePainting::Options{});
   proposal_put_ = false;
   painted_buffers_.note_all();
-  start_epsilon_ = live_painting_->error_of(live_painting_->target().before);
+  error_before_ = live_painting_->error_of(live_painting_->target().before);
   return {};
 }
 
@@ -98,8 +99,7 @@ Result<void> Workbench::begin_quick(const Stroke& stroke, const fs::path& folder
   LUM_TRY_VOID(go_on_quick());
   LUM_TRY(const PixelBox box, canvas_->begin_stroke(stroke, folder.string()));
   painted_buffers_.note(box);
-  LUM_TRY(const LiveEvent event, quick_painting_->begin(stroke, folder.string()));
-  live_epsilon_ = event.epsilon;
+  LUM_TRY([[maybe_unused]] const LiveEvent event, quick_painting_->begin(stroke, folder.string()));
   return {};
 }
 
@@ -127,6 +127,22 @@ Result<void> Workbench::prepare_stroke() {
   return quick_painting_->get_ready();
 }
 
+/// What the shadow brush copies, so that its first stroke need not wait for two pictures. Copies of the session's
+/// canvas share it: it is of the lights in force, which change seldom. Given up for a hand, and made another time then.
+void Workbench::prepare_shadows() {
+  constexpr PaintTool kBrush = PaintTool::kShadow;
+  RasterRenderer* raster = session_->stage().raster;  // a traced picture takes long, and nothing gives it up
+  if (stroke_ || raster == nullptr || unshadowed_ == session_->stage().id) return;
+  const bool known = canvas_ && canvas_->has_shadows(kBrush);
+  if (known && (!quick_painting_ || quick_painting_->has_shadows(kBrush))) return;
+  auto ready = hand_canvas();
+  if (undisturbed_) raster->ask(undisturbed_);
+  if (ready) ready = canvas_->ready_shadows(kBrush);
+  raster->ask({});
+  if (ready && quick_painting_) ready = quick_painting_->ready_shadows(kBrush);
+  if (!ready && ready.error().kind != ErrorKind::kCancelled) unshadowed_ = session_->stage().id;  // the stroke says why
+}
+
 /// Where it fails strokes are answered by full pictures, late.
 void Workbench::make_quick_ready() {
   const auto ready = prepare_stroke();
@@ -139,7 +155,6 @@ void Workbench::make_quick_ready() {
 
 /// What the event took; paint: on a full canvas beside the small one, in seconds, or 0.
 void Workbench::note_event(const LiveEvent& event, double paint) {
-  live_epsilon_ = event.epsilon;
   const double snapshot = cost_.snapshot;
   cost_ = paint > 0.0 ? EventCost{paint, event.paint, event.retarget, event.solve, event.picture, snapshot}
                       : EventCost{event.paint, 0.0, event.retarget, event.solve, event.picture, snapshot};
@@ -153,10 +168,8 @@ void Workbench::note_event(const LiveEvent& event, double paint) {
 /// What the small pictures found is the proposal from which the full ones go on.
 void Workbench::end_quick() {
   if (quick_painting_ && quick_painting_->has_lights()) {
-    SolveReport report;
-    report.solver = "live";
-    report.epsilon_start = start_epsilon_;
-    report.epsilon = live_epsilon_;
+    const double before = quick_painting_->error_of(quick_painting_->target().before);
+    const SolveReport report = quick_painting_->report_from(before, session_->state());
     session_->propose(quick_painting_->best(), {{}, report, canvas_->target(), "Accept a live solve"});
   }
   follow_again_ = true;
@@ -205,7 +218,7 @@ Result<void> Workbench::finish_stroke() {
     return done;
   }
   resting_ = held.live;
-  if (held.live) start_epsilon_ = live_painting_->error_of(live_painting_->target().before);
+  if (held.live) error_before_ = live_painting_->error_of(live_painting_->target().before);
   painted_.reset();
   if (held.quick) {
     if (!quick_painting_->end()) quick_painting_.reset();  // so small that its gradient met no surface
@@ -297,7 +310,6 @@ Result<void> Workbench::lay(const Stroke& stroke, const fs::path& folder) {
     }
     painted_buffers_.note(*box);
     const auto event = quick_painting_->bucket(stroke, folder.string());
-    if (event) live_epsilon_ = event->epsilon;
     if (!event) quick_painting_.reset();
   } else if (can_follow()) {
     canvas_.reset();  // the stroke is not on it

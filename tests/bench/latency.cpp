@@ -187,10 +187,12 @@ Result<void> run_latency(const LatencyOptions& options) {
   studio.post("open", [shot](Workbench& bench) -> Result<void> {
     LUM_TRY_VOID(bench.open(shot, "."));
     for (std::size_t i = 0; i < QuickStage::kSizes.size(); ++i) LUM_TRY_VOID(bench.prepare());
-    return bench.act([](Session& session) -> Result<void> {
+    auto added = bench.act([](Session& session) -> Result<void> {
       LUM_TRY_VOID(session.add_light({.dark = true}));
       return {};
     });
+    if (!added) return added;
+    return bench.prepare();  // as while the hand goes from the button to the picture
   });
   LUM_TRY_VOID(watcher.wait(studio, [](const StudioSnapshot& now) { return now.picture != nullptr; }));
   DrawingHand hand(studio, watcher);

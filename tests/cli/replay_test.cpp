@@ -168,7 +168,7 @@ TEST_F(CliTest, ReplaysStrokesLiveAndSaysHowLongThePicturesTook) {
     EXPECT_LE(live[part]["median"].get<double>(), live[part]["p95"].get<double>()) << part;
     EXPECT_LE(live[part]["p95"].get<double>(), live[part]["max"].get<double>()) << part;
   }
-  EXPECT_LE(live["epsilon"].get<double>(), live["epsilon_event"].get<double>());
+  EXPECT_LE(live["error"].get<double>(), live["error_event"].get<double>());
   EXPECT_LE(live["improved"].get<int>(), live["strokes"].get<int>());
   EXPECT_GE(live["improved"].get<int>(), 1) << "the light that the strokes ask for is found";
   EXPECT_TRUE(exists("out/step1/picture.exr"));  // the rest of the script goes on with what was found
@@ -183,17 +183,17 @@ TEST_F(CliTest, ALivePaintingIsJudgedByTheImportanceOfTheScript) {
   const std::string solve = R"({"do": "mute", "light": "key", "muted": false}
 {"do": "solve", "seed": 1, "max_evals": 40}
 )";
-  const auto epsilon_start = [&](const std::string& script) {
+  const auto error_before = [&](const std::string& script) {
     write("script.jsonl", script);
     const Outcome outcome = luminist("replay script.jsonl --live --json -o out");
     EXPECT_EQ(outcome.status, 0) << outcome.err;
-    return nlohmann::json::parse(outcome.out.substr(0, outcome.out.find('\n')))["epsilon_before"].get<double>();
+    return nlohmann::json::parse(outcome.out.substr(0, outcome.out.find('\n')))["error_before"].get<double>();
   };
-  const double plain = epsilon_start(start + solve);
-  const double all_alike = epsilon_start(start +
-                                         R"({"do": "importance", "nu": 1, "delta": 0})"
-                                         "\n" +
-                                         solve);
+  const double plain = error_before(start + solve);
+  const double all_alike = error_before(start +
+                                        R"({"do": "importance", "nu": 1, "delta": 0})"
+                                        "\n" +
+                                        solve);
   EXPECT_LT(all_alike, 0.5 * plain) << "most of the picture is not painted and right already";
   const Outcome outcome = luminist("replay script.jsonl --live -o out");
   EXPECT_NE(outcome.out.find("event to picture"), std::string::npos) << outcome.out;

@@ -198,7 +198,9 @@ TEST(SolveSession, IsNeverWorseThanItsStartOnRandomProblems) {
     Target clean = task.target;
     sanitize(clean);
     LUM_ASSERT_OK(const double error, renderer.error(session.best(), clean));
-    EXPECT_LE(error, report.epsilon * (1.0 + 1e-9) + 1e-12) << seed;  // epsilon has the penalty on top
+    EXPECT_NEAR(error, report.error(), 1e-9 * (1.0 + report.epsilon)) << seed;
+    LUM_ASSERT_OK(const double before, renderer.error(task.start, clean));
+    EXPECT_NEAR(before, report.error_start(), 1e-9 * (1.0 + report.epsilon_start)) << seed;
   }
 }
 
@@ -238,7 +240,7 @@ TEST(SolveSession, StoppedHalfWayItKeepsTheBest) {
     EXPECT_EQ(session.report().termination, Termination::kStopped);
     EXPECT_LE(session.report().epsilon, session.report().epsilon_start);
     LUM_ASSERT_OK(const double error, renderer.error(session.best(), task.target));
-    EXPECT_LE(error, session.report().epsilon + 1e-12);
+    EXPECT_NEAR(error, session.report().error(), 1e-9);
   }
 }
 

@@ -23,6 +23,37 @@ class WorkbenchPicturesTest : public WorkbenchTest {
   }
 };
 
+TEST_F(WorkbenchPicturesTest, TheShadowBrushNeedNotWaitForWhatItCopies) {
+  if (!device_->info().software) GTEST_SKIP() << "elsewhere that takes no time";
+  open(400, 300);
+  bench_->set_live(false);
+  LUM_EXPECT_OK(bench_->act([](Session& session) -> Result<void> {
+    for (const bool lock : {false, true}) {  // a locked light stays on in what the brush copies
+      LUM_TRY(const std::string name, session.add_light({.from_paint = false}));
+      LUM_TRY([[maybe_unused]] const int locked, session.set_locked("lights/" + name + "/*", lock));
+    }
+    return {};
+  }));
+  static_cast<void>(look());  // the picture that is painted on
+  for (std::size_t i = 0; i < QuickStage::kSizes.size(); ++i) LUM_EXPECT_OK(bench_->prepare());
+  const auto shades = [this] { return bench_->session().stage().renderer->work().shades; };
+  double before = shades();
+  Stroke shadow = light_strokes().strokes.front();
+  shadow.brush.tool = PaintTool::kShadow;
+  for (int stroke = 0; stroke < 2; ++stroke) {
+    LUM_EXPECT_OK(bench_->begin_stroke({shadow.brush, {shadow.points.front()}}, folder_.path()));
+    LUM_EXPECT_OK(bench_->extend_stroke(std::span(shadow.points).subspan(1)));
+    LUM_EXPECT_OK(bench_->end_stroke());
+    EXPECT_EQ(shades(), before) << "made while nothing else was to do, for what is recorded, too";
+  }
+  LUM_EXPECT_OK(bench_->change([](Session& session) { return session.set({"ambient/color=0.2,0.2,0.2"}); }));
+  LUM_EXPECT_OK(bench_->prepare());
+  EXPECT_GT(shades(), before) << "it was of other lights";
+  before = shades();
+  LUM_EXPECT_OK(bench_->prepare());
+  EXPECT_EQ(shades(), before);
+}
+
 TEST_F(WorkbenchPicturesTest, ASmallerPictureFollowsTheBrushAndAFullOneComesWhenItRests) {
   if (!device_->info().software) GTEST_SKIP() << "elsewhere no picture is small";
   open(400, 300);  // more than QuickStage::helps() leaves alone

@@ -30,6 +30,21 @@ TEST_F(WorkbenchTest, AStrokeOfTheHandIsOneCommandAndItsLightAProposal) {
   EXPECT_TRUE(now->waiting.empty()) << "the light shines where the paint said";
 }
 
+TEST_F(WorkbenchTest, TheErrorOfAProposalIsThatOfItsPictureWhereverLightsStand) {
+  LUM_EXPECT_OK(bench_->change([](Session& session) -> Result<void> {
+    LUM_TRY_VOID(session.add_light({.name = "far", .from_paint = false}));
+    return session.set({"lights/far/position=0,90,0"});  // many times its range away
+  }));
+  draw_stroke();
+  rest();
+  const auto now = look();
+  ASSERT_TRUE(now->report);
+  EXPECT_GT(now->report->penalty_start, 1.0);
+  EXPECT_GT(now->report->error_start(), 0.0);
+  EXPECT_LT(now->report->error_start(), 1.0);
+  EXPECT_LT(now->report->error(), 1.0);
+}
+
 TEST_F(WorkbenchTest, ADarkLightIsInNoPictureUntilPaintSaysWhere) {
   const auto dim = look();
   add_dark_light();
