@@ -25,10 +25,22 @@ namespace fs = std::filesystem;
 constexpr double kLinger = 0.8;      // seconds after an event in which something may still move: tooltips
 constexpr double kSlowFrame = 0.02;  // seconds between frames at least, where the processor draws them
 
+/// A device on the card that draws the window. NVIDIA's driver gives a process with a GLX window no EGL context beside
+/// it; then another driver would answer, which draws on the processor, or none.
+Result<Device> device_beside(Window& window) {
+  auto device = Device::create_headless();
+  if (window.software() || (device && !device->info().software)) return device;
+  device = Error{ErrorKind::kGl, "", "", "", ""};  // no two contexts on one thread
+  if (!window.make_spare_current()) return Device::create_headless();
+  return Device::adopt(Window::release_spare);
+}
+
 class StudioApp {
  public:
   StudioApp(const StudioRequest& request, Window& window)
-      : window_(&window), studio_({request.roots, unsaved_folder(), [this] { note_change(); }}) {
+      : window_(&window),
+        studio_(
+            {request.roots, unsaved_folder(), [this] { note_change(); }, [this] { return device_beside(*window_); }}) {
     desk_.studio = &studio_;
     desk_.roots = request.roots;
     desk_.theme = make_theme(window.scale());

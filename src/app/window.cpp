@@ -48,6 +48,7 @@ Result<std::unique_ptr<Window>> Window::create(const std::string& title, int wid
   const auto* renderer = reinterpret_cast<const char*>(glGetString(GL_RENDERER));
   window->software_ = renderer != nullptr && std::strstr(renderer, "llvmpipe") != nullptr;
   glfwSwapInterval(window->software_ ? 0 : 1);
+  if (!window->software_) window->open_spare();
   float across = 1.0F;
   glfwGetWindowContentScale(window->handle_, &across, &window->scale_);
   IMGUI_CHECKVERSION();
@@ -58,6 +59,24 @@ Result<std::unique_ptr<Window>> Window::create(const std::string& title, int wid
     return no_window("the window cannot be drawn on");
   }
   return window;
+}
+
+/// Windows are made on this thread alone, and so before anybody knows whether the context is needed.
+void Window::open_spare() {
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 4);
+  glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 5);
+  glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+  spare_ = glfwCreateWindow(16, 16, "", nullptr, nullptr);
+}
+
+Result<void> Window::make_spare_current() {
+  if (spare_ == nullptr) return no_window("the window's driver gives no second context of OpenGL 4.5");
+  glfwMakeContextCurrent(spare_);
+  return {};
+}
+
+void Window::release_spare() {
+  glfwMakeContextCurrent(nullptr);
 }
 
 Window::~Window() {

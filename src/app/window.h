@@ -44,6 +44,10 @@ class Window {
   [[nodiscard]] bool take_close();  ///< the lighter asked to close it
   [[nodiscard]] float scale() const { return scale_; }
   [[nodiscard]] bool software() const { return software_; }
+  /// A context of the window's driver for the thread that calls, beside the window's own; one thread at a time.
+  /// errors kGl where the window system gives none of OpenGL 4.5, or the processor draws the window.
+  Result<void> make_spare_current();
+  static void release_spare();            ///< on that thread
   [[nodiscard]] static double seconds();  ///< since the start
   void set_title(const std::string& title);
   [[nodiscard]] const Pen& pen() const { return pen_; }
@@ -52,12 +56,14 @@ class Window {
   Window() = default;
   static Window& of(GLFWwindow* handle);
   void install_callbacks();
+  void open_spare();
   [[nodiscard]] int mods() const;
   void add(HandEvent event);
   void pass_on_buttons();
   void pass_on_keys();
 
   GLFWwindow* handle_ = nullptr;
+  GLFWwindow* spare_ = nullptr;  ///< never shown: its context is what counts
   std::vector<HandEvent> hand_;
   std::vector<KeyPress> keys_;
   struct Button {

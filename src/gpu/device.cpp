@@ -15,6 +15,7 @@ struct Device::State {
   EGLDisplay display = EGL_NO_DISPLAY;
   EGLContext context = EGL_NO_CONTEXT;  ///< EGL_NO_CONTEXT: adopted, not ours to destroy
   EGLSurface surface = EGL_NO_SURFACE;
+  std::function<void()> release;  ///< of one that is adopted
   DeviceInfo info;
   std::vector<DeviceMessage> messages;
   std::uint64_t last_id = 0;
@@ -22,6 +23,7 @@ struct Device::State {
   ~State() {
     if (context == EGL_NO_CONTEXT) {
       if (!info.version.empty()) glDebugMessageCallback(nullptr, nullptr);
+      if (release) release();
       return;
     }
     // The display stays initialized: other devices of this process may share it.
@@ -206,11 +208,12 @@ Result<Device> Device::create_headless(const DeviceOptions& options) {
   return no_gl("no OpenGL context without a window: " + (tried.empty() ? "EGL offers no display" : tried));
 }
 
-Result<Device> Device::adopt() {
+Result<Device> Device::adopt(std::function<void()> release) {
   // The loader may end the process if it is asked for newer functions without a context; this one it always finds.
   if (glGetString(GL_VERSION) == nullptr) return no_gl("no OpenGL context is current on this thread");
   Device device(std::make_unique<State>());
   device.state_->info.platform = "adopted";
+  device.state_->release = std::move(release);
   LUM_TRY_VOID(device.prepare());
   return device;
 }

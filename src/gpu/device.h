@@ -3,6 +3,7 @@
 #include <epoxy/gl.h>
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -48,8 +49,8 @@ class Device {
   static Result<Device> create_headless(const DeviceOptions& options = {});
 
   /// Takes over the context that is current on this thread (a window's); does not destroy it.
-  /// errors kGl if there is none, or it is older than 4.5 core.
-  static Result<Device> adopt();
+  /// release: called on this thread when the device goes. errors kGl if there is none, or it is older than 4.5 core.
+  static Result<Device> adopt(std::function<void()> release = {});
 
   Device(Device&&) noexcept;
   Device& operator=(Device&&) noexcept;

@@ -209,7 +209,7 @@ void StudioThread::tell(StudioMessage message) {
 }
 
 bool StudioThread::open_device() {
-  auto device = Device::create_headless();
+  auto device = options_.make_device ? options_.make_device() : Device::create_headless();
   if (!device) {
     tell(message_of(device.error()));
     return false;
