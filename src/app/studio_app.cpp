@@ -25,8 +25,8 @@ namespace fs = std::filesystem;
 constexpr double kLinger = 0.8;      // seconds after an event in which something may still move: tooltips
 constexpr double kSlowFrame = 0.02;  // seconds between frames at least, where the processor draws them
 
-/// A device on the card that draws the window. NVIDIA's driver gives a process with a GLX window no EGL context beside
-/// it; then another driver would answer, which draws on the processor, or none.
+/// A device on the card that draws the window. NVIDIA's driver (580) gives a process with a GLX window no EGL context
+/// beside it; then another driver would answer, which draws on the processor, or none.
 Result<Device> device_beside(Window& window) {
   auto device = Device::create_headless();
   if (window.software() || (device && !device->info().software)) return device;
