@@ -40,6 +40,16 @@ TEST(Device, AdoptsTheContextThatIsCurrent) {
   EXPECT_EQ(adopted.info().platform, "adopted");
 }
 
+TEST(Device, TellsTheOwnerOfAnAdoptedContextWhenItGoes) {
+  LUM_ASSERT_OK(const Device owner, Device::create_headless());
+  int released = 0;
+  {
+    LUM_ASSERT_OK(const Device adopted, Device::adopt([&] { ++released; }));
+    EXPECT_EQ(released, 0);
+  }
+  EXPECT_EQ(released, 1);
+}
+
 TEST(Device, TurnsAnOpenGlErrorIntoOneErrorAndIsCleanAfterwards) {
   LUM_ASSERT_OK(Device device, Device::create_headless({.debug = true}));
   LUM_EXPECT_OK(device.check_errors("begin"));

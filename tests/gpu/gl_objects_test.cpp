@@ -3,27 +3,15 @@
 #include <array>
 #include <vector>
 
+#include "gpu/debug_device.h"
 #include "gpu/gl_buffer.h"
 #include "gpu/gl_framebuffer.h"
 #include "gpu/gl_texture.h"
-#include "support/fixtures.h"
 
 namespace luminist {
 namespace {
 
-/// A debug device; the driver must not have complained when the test ends.
-class GlObjects : public ::testing::Test {
- protected:
-  void SetUp() override {
-    auto made = Device::create_headless({.debug = true});
-    ASSERT_TRUE(made) << made.error().message();
-    device_.emplace(std::move(made).value());
-  }
-  void TearDown() override {
-    for (const DeviceMessage& message : device_->take_messages()) EXPECT_FALSE(message.error) << message.text;
-  }
-  std::optional<Device> device_;
-};
+using GlObjects = DebugDeviceTest;
 
 TEST_F(GlObjects, BufferGivesBackWhatWasWritten) {
   const std::vector<float> values{1, 2, 3, 4, 5};

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "gpu/debug_device.h"
 #include "raster/mesh_scenes.h"
 #include "support/fixtures.h"
 
@@ -18,16 +19,8 @@ using test::add;
 using test::looking;
 using test::moved;
 
-class DeepFramebuffers : public ::testing::Test {
+class DeepFramebuffers : public DebugDeviceTest {
  protected:
-  void SetUp() override {
-    auto made = Device::create_headless({.debug = true});
-    ASSERT_TRUE(made) << made.error().message();
-    device_.emplace(std::move(made).value());
-  }
-  void TearDown() override {
-    for (const DeviceMessage& message : device_->take_messages()) EXPECT_FALSE(message.error) << message.text;
-  }
   DeepFramebuffer draw(const Scene& scene, const Camera& camera, int width, int height,
                        std::size_t band_bytes = DeepFramebuffer::kBandBytes) {
     auto meshes = MeshBuffers::create(*device_, scene);
@@ -47,7 +40,6 @@ class DeepFramebuffers : public ::testing::Test {
     deep.edge_of_pixel().read(0, std::span(edges));
     return edges;
   }
-  std::optional<Device> device_;
 };
 
 TEST_F(DeepFramebuffers, OfAnEmptySceneAreEmpty) {

@@ -2,13 +2,12 @@
 // tests/raster/shadow_stage.h -- a scene, a camera and the shadow maps of lights in it.
 #include <gtest/gtest.h>
 
-#include <optional>
 #include <span>
 #include <vector>
 
+#include "gpu/debug_device.h"
 #include "raster/mesh_scenes.h"
 #include "raster/shadow_maps.h"
-#include "support/fixtures.h"
 
 namespace luminist {
 
@@ -45,17 +44,6 @@ struct Stage {
   ShadowMaps maps;
 };
 
-class ShadowMapsTest : public ::testing::Test {
- protected:
-  void SetUp() override {
-    auto made = Device::create_headless({.debug = true});
-    ASSERT_TRUE(made) << made.error().message();
-    device_.emplace(std::move(made).value());
-  }
-  void TearDown() override {
-    for (const DeviceMessage& message : device_->take_messages()) EXPECT_FALSE(message.error) << message.text;
-  }
-  std::optional<Device> device_;
-};
+using ShadowMapsTest = DebugDeviceTest;
 
 }  // namespace luminist
