@@ -43,6 +43,13 @@ def memory(studio):
     return int(next(line.split()[1] for line in status.splitlines() if line.startswith("RssAnon")))
 
 
+def memory_of_the_shot(studio):
+    """As memory(), with the view from anywhere closed, which gives back what it needs; whether it is, only that tells."""
+    first = memory(studio)
+    studio.key("v")
+    return min(first, memory(studio))
+
+
 def warm_up(studio, project):
     for number, stroke in enumerate([((0.38, 0.33), (0.45, 0.60)), ((0.51, 0.70), (0.56, 0.74)), ((0.7, 0.5), (0.8, 0.7))], 1):
         studio.drag(*stroke)
@@ -109,10 +116,10 @@ def play(studio, _):
             studio.key("Escape", "Escape")
             studio.shot(f"after_{step + 1}")
         if step % 1000 == 999:
-            print(f"monkey: {step + 1} actions, {len(records(project))} records, {memory(studio) - begin:+} kB", flush=True)
+            print(f"monkey: {step + 1} actions, {len(records(project))} records, {memory_of_the_shot(studio) - begin:+} kB", flush=True)
     studio.key("Escape", "Escape", "Escape", "F1", "b")
     wait_for("Tab takes the panels away, or brings them back", lambda: heard(studio))
-    end = memory(studio)
+    end = memory_of_the_shot(studio)
     print(f"monkey: {actions} actions, seed {seed}, {len(records(project))} records, {begin} kB then {end} kB")
     studio.kill()
     replayed_rig(studio, project)

@@ -67,6 +67,13 @@ void LitView::ask(Desk& desk, Wish wish) {
   });
 }
 
+void LitView::put_away(Desk& desk) {
+  desk.studio->post_patiently("put the view away", [](Workbench& bench) -> Result<void> {
+    if (bench.has_session()) bench.session().view().put_away();
+    return {};
+  });
+}
+
 void LitView::take(const Desk& desk) {
   if (waiting_) {
     const std::lock_guard lock(answer_->mutex);

@@ -27,6 +27,8 @@ class LitView {
   void ask_solid(Desk& desk);
   /// Asks for a picture unless it is there, on its way, or went wrong before.
   void ask(Desk& desk, Wish wish);
+  /// Gives back what pictures need, which is much; the one that is shown stays.
+  static void put_away(Desk& desk);
   /// Takes what has come.
   void take(const Desk& desk);
   [[nodiscard]] bool waits() const { return waiting_; }

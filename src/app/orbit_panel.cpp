@@ -14,6 +14,7 @@ namespace luminist {
 namespace {
 
 constexpr double kRest = 0.2;  // seconds after which the eye rests
+constexpr double kAway = 5.0;  // seconds after which nobody is thought to look again soon
 constexpr float kPrecise = 0.1F;
 constexpr float kQuickScale = 0.5F;  // of a picture that must come soon
 
@@ -208,8 +209,15 @@ void OrbitPanel::light_up(Desk& desk, const ScreenRect& rect) {
   lit_.ask(desk, std::move(wish));
 }
 
+void OrbitPanel::rest(Desk& desk) {
+  if (!drawn_ || desk.time - *drawn_ < kAway) return;
+  drawn_.reset();
+  LitView::put_away(desk);
+}
+
 void OrbitPanel::draw(Desk& desk, const ScreenRect& rect, std::span<const HandEvent> events) {
   begin(desk);
+  drawn_ = desk.time;
   ImGui::SetNextWindowPos(im(rect.lo));
   ImGui::SetNextWindowSize(im(rect.size()));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0.0F, 0.0F});

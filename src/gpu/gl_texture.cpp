@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/check.h"
+#include "gpu/settled_drawing.h"
 
 namespace luminist {
 namespace {
@@ -27,6 +28,22 @@ std::vector<float> rgba_of(const Image& image) {
     if (channels == 2 || channels >= 4) texels[i * 4 + 3] = source[channels == 2 ? 1 : 3];
   }
   return texels;
+}
+
+/// Each level of the picture from the one before. Software GL draws them: one at a time, so that it keeps none.
+void fill_levels(const Device& device, GLuint name, int levels) {
+  if (!device.info().software) {
+    glGenerateTextureMipmap(name);
+    return;
+  }
+  for (int level = 0; level + 1 < levels; ++level) {
+    const SettledDrawing drawing(device);
+    glTextureParameteri(name, GL_TEXTURE_BASE_LEVEL, level);
+    glTextureParameteri(name, GL_TEXTURE_MAX_LEVEL, level + 1);
+    glGenerateTextureMipmap(name);
+  }
+  glTextureParameteri(name, GL_TEXTURE_BASE_LEVEL, 0);
+  glTextureParameteri(name, GL_TEXTURE_MAX_LEVEL, levels - 1);
 }
 
 }  // namespace
@@ -85,7 +102,7 @@ Result<GlTexture> GlTexture::create_picture(Device& device, const Image& image, 
   LUM_TRY(GlTexture texture, create(device, GL_TEXTURE_2D, GL_RGBA16F, levels, image.width, image.height, 0, label));
   const std::vector<float> texels = rgba_of(image);
   glTextureSubImage2D(texture.name(), 0, 0, 0, image.width, image.height, GL_RGBA, GL_FLOAT, texels.data());
-  glGenerateTextureMipmap(texture.name());
+  fill_levels(device, texture.name(), levels);
   texture.set(GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
   texture.set(GL_TEXTURE_MAG_FILTER, GL_LINEAR);
   texture.set(GL_TEXTURE_WRAP_S, repeat_u ? GL_REPEAT : GL_CLAMP_TO_EDGE);

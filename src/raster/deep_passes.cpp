@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "base/check.h"
-#include "gpu/settle.h"
 #include "raster/deep_framebuffer.h"
 
 namespace luminist {
@@ -156,8 +155,7 @@ void DeepPasses::draw(Device& device, int band) {
   glFrontFace(GL_CCW);
   program_.set("eye", eye_);
   for (int layer = 0; layer < kLayers; ++layer) {
-    draw_layer(layer, first_row(band));
-    settle(device);
+    draw_layer(device, layer, first_row(band));
   }
   glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
   if (!lines_) return;
@@ -166,7 +164,8 @@ void DeepPasses::draw(Device& device, int band) {
   lines_->mark(device, static_cast<std::size_t>(width_) * static_cast<std::size_t>(rows(band)));
 }
 
-void DeepPasses::draw_layer(int layer, int first_row) {
+void DeepPasses::draw_layer(const Device& device, int layer, int first_row) {
+  SettledDrawing drawing(device);
   const GlFramebuffer& framebuffer = framebuffers_[static_cast<std::size_t>(layer)];
   framebuffer.bind(width_, height_);
   // The viewport is that of the whole picture, so that a band is exactly a part of it.
@@ -181,11 +180,11 @@ void DeepPasses::draw_layer(int layer, int first_row) {
   glClearNamedFramebufferfv(framebuffer.name(), GL_DEPTH, 0, &far_depth);
 
   const Mat4 moved = layer == 0 ? Mat4(1.0F) : shift(DeepFramebuffer::kEdgeOffsets[layer - 1], width_, height_);
-  draw_models(moved * clip_from_world_);
-  if (lines_) lines_->draw(moved * clip_from_world_);
+  draw_models(drawing, moved * clip_from_world_);
+  if (lines_) lines_->draw(drawing, moved * clip_from_world_);
 }
 
-void DeepPasses::draw_models(const Mat4& clip_from_world) {
+void DeepPasses::draw_models(SettledDrawing& drawing, const Mat4& clip_from_world) {
   meshes_->bind_full();
   program_.use();
   program_.set("clip_from_world", clip_from_world);
@@ -198,22 +197,24 @@ void DeepPasses::draw_models(const Mat4& clip_from_world) {
     program_.set("side", glm::determinant(linear) < 0.0F ? -1.0F : 1.0F);
     glProgramUniform2ui(program_.name(), glGetUniformLocation(program_.name(), "ids"), draw.object + 1,
                         draw.material + 1);
-    set_material(scene_->materials[draw.material]);
-    meshes_->draw(draw);
+    set_material(drawing, scene_->materials[draw.material]);
+    draw_mesh(drawing, draw);
   }
 }
 
-void DeepPasses::set_material(const Material& material) {
+void DeepPasses::set_material(SettledDrawing& drawing, const Material& material) {
   program_.set("base_color", material.base_color);
   program_.set("metallic", material.metallic);
   program_.set("roughness", material.roughness);
   program_.set("specular", material.specular);
   program_.set("emissive", material.emissive);
   program_.set("normal_scale", material.normal_scale);
-  const auto bind = [this](GLuint unit, const char* flag, int index) {
+  const auto bind = [&](GLuint unit, const char* flag, int index) {
     const bool has = index >= 0 && textures_[static_cast<std::size_t>(index)].name() != 0;
     program_.set(flag, has ? 1 : 0);
-    if (has) textures_[static_cast<std::size_t>(index)].bind(unit);
+    if (!has) return;
+    textures_[static_cast<std::size_t>(index)].bind(unit);
+    drawing.uses(textures_[static_cast<std::size_t>(index)]);
   };
   bind(0, "has_base_color_texture", material.base_color_texture);
   bind(1, "has_metallic_roughness_texture", material.metallic_roughness_texture);

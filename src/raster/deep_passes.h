@@ -50,11 +50,11 @@ class DeepPasses {
   DeepPasses() = default;
   Result<void> create_targets(Device& device);
   Result<void> upload_textures(Device& device);
-  void draw_layer(int layer, int first_row);
-  void draw_models(const Mat4& clip_from_world);
+  void draw_layer(const Device& device, int layer, int first_row);
+  void draw_models(SettledDrawing& drawing, const Mat4& clip_from_world);
   /// Rows beyond a band on either side, for what looks at neighbours.
   [[nodiscard]] int margin() const { return lines_ ? kLineMargin : 0; }
-  void set_material(const Material& material);
+  void set_material(SettledDrawing& drawing, const Material& material);
 
   static constexpr int kLineMargin = 26;  // as far as shaders/raster/lines.comp reaches
 

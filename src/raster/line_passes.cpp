@@ -75,13 +75,13 @@ void LinePasses::set_object(Program& program, const MeshDraw& draw) const {
   program.set("base_color", scene_->materials[draw.material].base_color);
 }
 
-void LinePasses::draw(const Mat4& clip_from_world) {
+void LinePasses::draw(SettledDrawing& drawing, const Mat4& clip_from_world) {
   if (!(lines_.spec.width > 0.0F)) return;
-  if (lines_.spec.silhouette) draw_silhouettes(clip_from_world);
-  if (lines_.spec.crease) draw_creases(clip_from_world);
+  if (lines_.spec.silhouette) draw_silhouettes(drawing, clip_from_world);
+  if (lines_.spec.crease) draw_creases(drawing, clip_from_world);
 }
 
-void LinePasses::draw_silhouettes(const Mat4& clip_from_world) {
+void LinePasses::draw_silhouettes(SettledDrawing& drawing, const Mat4& clip_from_world) {
   silhouette_program_.use();
   silhouette_program_.set("clip_from_world", clip_from_world);
   silhouette_program_.set("push", kPush);
@@ -92,12 +92,12 @@ void LinePasses::draw_silhouettes(const Mat4& clip_from_world) {
   for (const MeshDraw& draw : lines_.outlines->hulls()) {
     glCullFace(glm::determinant(Mat3(draw.world_from_object)) < 0.0F ? GL_BACK : GL_FRONT);
     set_object(silhouette_program_, draw);
-    OutlineBuffers::draw(draw);
+    draw_mesh(drawing, draw);
   }
   glDisable(GL_CULL_FACE);
 }
 
-void LinePasses::draw_creases(const Mat4& clip_from_world) {
+void LinePasses::draw_creases(SettledDrawing& drawing, const Mat4& clip_from_world) {
   crease_program_.use();
   crease_program_.set("clip_from_world", clip_from_world);
   crease_program_.set("pull", kPull);
@@ -107,7 +107,7 @@ void LinePasses::draw_creases(const Mat4& clip_from_world) {
   lines_.outlines->bind_edges();
   for (const MeshDraw& draw : lines_.outlines->edges()) {
     set_object(crease_program_, draw);
-    OutlineBuffers::draw(draw);
+    draw_mesh(drawing, draw);
   }
 }
 

@@ -32,7 +32,7 @@ class LinePasses {
   /// How far lines may reach from the model that is at most that deep in the picture, world.
   [[nodiscard]] float reach(float depth) const;
   /// Draws silhouettes and creases over what the bound framebuffer holds, with the depth test as it is set.
-  void draw(const Mat4& clip_from_world);
+  void draw(SettledDrawing& drawing, const Mat4& clip_from_world);
   /// Marks the other lines of a band whose samples are bound (DeepPasses::bind()), which `set_band` locates.
   void mark(Device& device, std::size_t pixels);
   [[nodiscard]] Program& marking() { return mark_program_; }
@@ -40,8 +40,8 @@ class LinePasses {
 
  private:
   LinePasses() = default;
-  void draw_silhouettes(const Mat4& clip_from_world);
-  void draw_creases(const Mat4& clip_from_world);
+  void draw_silhouettes(SettledDrawing& drawing, const Mat4& clip_from_world);
+  void draw_creases(SettledDrawing& drawing, const Mat4& clip_from_world);
   void set_width(Program& program, float width) const;
   void set_object(Program& program, const MeshDraw& draw) const;
   /// World width of a silhouette at the scene's centre.

@@ -212,10 +212,8 @@ Result<MeshBuffers> MeshBuffers::create(Device& device, const Scene& scene, bool
   return meshes;
 }
 
-void MeshBuffers::draw(const MeshDraw& draw) const {
-  if (draw.index_count == 0) return;
-  glDrawElementsBaseVertex(GL_TRIANGLES, draw.index_count, GL_UNSIGNED_INT,
-                           reinterpret_cast<const void*>(draw.index_offset), draw.base_vertex);
+void draw_mesh(SettledDrawing& drawing, const MeshDraw& mesh) {
+  drawing.triangles(mesh.index_count, mesh.index_offset, mesh.base_vertex);
 }
 
 }  // namespace luminist

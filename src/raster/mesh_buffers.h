@@ -7,6 +7,7 @@
 #include "gpu/device.h"
 #include "gpu/gl_buffer.h"
 #include "gpu/gl_vertex_array.h"
+#include "gpu/settled_drawing.h"
 #include "scene/scene.h"
 
 namespace luminist {
@@ -22,6 +23,9 @@ struct MeshDraw {
   bool leaving = false;  ///< of a shadow mesh: blocks light only where it leaves, at triangles whose back it meets
   Box bounds{};          ///< of what the buffers hold of it, before world_from_object
 };
+
+/// Draws it with the array that is bound.
+void draw_mesh(SettledDrawing& drawing, const MeshDraw& mesh);
 
 /// How normals turn with an object: the inverse transpose up to a positive factor, and still right for an object that
 /// is flattened to a plane.
@@ -52,8 +56,6 @@ class MeshBuffers {
   void bind_full() const { full_.bind(); }
   /// Input 0: position vec3, tightly packed.
   void bind_positions() const { positions_only_.bind(); }
-  /// Draws one object with the array that is bound.
-  void draw(const MeshDraw& draw) const;
 
  private:
   MeshBuffers() = default;

@@ -117,10 +117,4 @@ Result<OutlineBuffers> OutlineBuffers::create(Device& device, const Scene& scene
   return outlines;
 }
 
-void OutlineBuffers::draw(const MeshDraw& draw) {
-  if (draw.index_count == 0) return;
-  glDrawElementsBaseVertex(GL_TRIANGLES, draw.index_count, GL_UNSIGNED_INT,
-                           reinterpret_cast<const void*>(draw.index_offset), draw.base_vertex);
-}
-
 }  // namespace luminist

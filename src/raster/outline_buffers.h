@@ -22,7 +22,6 @@ class OutlineBuffers {
   /// (-1 or 1, across the way to the other end), 4: angle float.
   [[nodiscard]] const std::vector<MeshDraw>& edges() const { return edges_; }
   void bind_edges() const { edge_array_.bind(); }
-  static void draw(const MeshDraw& draw);
 
  private:
   OutlineBuffers() = default;

@@ -6,8 +6,6 @@
 #include <string>
 #include <utility>
 
-#include "gpu/settle.h"
-
 namespace luminist {
 namespace {
 
@@ -127,6 +125,7 @@ Result<ShadowMaps::Map> ShadowMaps::draw_map(const ShadowLight& light) {
   meshes_->bind_positions();
   draw_program_.use();
   for (std::size_t layer = 0; layer < views.size(); ++layer) {
+    SettledDrawing drawing(*device_);
     framebuffer_.attach_depth(map.depth, static_cast<int>(layer));
     LUM_TRY_VOID(framebuffer_.finish(0));
     framebuffer_.bind(light.size_px, light.size_px);
@@ -141,9 +140,8 @@ Result<ShadowMaps::Map> ShadowMaps::draw_map(const ShadowLight& light) {
       // Right, up and axis of a view are right-handed where OpenGL's are not: the backs of triangles wind as its
       // fronts.
       glCullFace(glm::determinant(Mat3(draw.world_from_object)) < 0.0F ? GL_FRONT : GL_BACK);
-      meshes_->draw(draw);
+      draw_mesh(drawing, draw);
     }
-    settle(*device_);
   }
   glDisable(GL_CULL_FACE);
   glCullFace(GL_BACK);

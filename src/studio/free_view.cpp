@@ -62,6 +62,11 @@ Result<void> FreeView::look_from(const Camera& camera, int width, int height) {
   return {};
 }
 
+void FreeView::put_away() {
+  raster_.reset();
+  paths_.reset();
+}
+
 Result<Image> FreeView::picture(const Camera& camera, int width, int height, const ParamState& lights) {
   LUM_TRY_VOID(look_from(camera, width, height));
   if (raster_) return raster_->render(lights);

@@ -75,4 +75,8 @@ Result<FreeView*> ShotView::from_anywhere() {
   return session.free_view_.get();
 }
 
+void ShotView::put_away() {
+  if (session_->free_view_) session_->free_view_->put_away();
+}
+
 }  // namespace luminist

@@ -20,6 +20,8 @@ class ShotView {
   /// The shot from anywhere, valid until the shot, its style or its frame is another. Nothing is recorded.
   /// errors FreeView::open()'s. cost reading the scene, once.
   Result<FreeView*> from_anywhere();
+  /// FreeView::put_away(), where somebody looked.
+  void put_away();
 
  private:
   Session* session_;

@@ -74,6 +74,9 @@ TEST_F(ShotViewTest, FromElsewhereSomethingElseIsSeenAndNothingIsRecorded) {
   LUM_ASSERT_OK(const Image again, view->picture(left, 40, 30, session_->state()));
   EXPECT_NE(from_left.data, from_right.data);
   EXPECT_EQ(from_left.data, again.data);
+  session_->view().put_away();
+  LUM_ASSERT_OK(const Image anew, view->picture(left, 40, 30, session_->state()));
+  EXPECT_EQ(from_left.data, anew.data);
   EXPECT_EQ(hash(), before);
 }
 
