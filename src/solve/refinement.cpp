@@ -11,7 +11,8 @@
 namespace luminist {
 namespace {
 
-constexpr int kRounds = 2;
+constexpr int kRounds = 2;            // after the look ahead
+constexpr int kManyPaths = 24'000;    // of all pixels: where a round needs more, a look ahead is cheap and sure
 constexpr int kMorePaths = 4;         // times those of the round before
 constexpr int kMostPaths = 256;       // a pixel
 constexpr int kPixels = 3000;         // that a descent looks at
@@ -29,6 +30,9 @@ struct Refinement::Descent {
   PictureParts parts;
   std::optional<CellProblem> problem;
   std::optional<GaussNewton> newton;
+  // In the look ahead, both with their colours solved:
+  double cost_start = 0.0;  ///< of the whole solve's start
+  double cost = 0.0;        ///< of what it found
 };
 
 std::unique_ptr<Refinement> Refinement::create(Renderer& renderer, const Target& target, Progress& progress,
@@ -59,6 +63,10 @@ Refinement::Refinement(Renderer& renderer, const Target& target, Progress& progr
 
 Refinement::~Refinement() = default;
 
+int Refinement::given_paths() const {
+  return std::max(1, static_cast<int>(start_.style.get(params_.kept)));
+}
+
 ParamState Refinement::with_paths(const ParamState& state, int paths, bool for_judging) const {
   ParamState other = state;
   const double seed = start_.style.get(params_.seed);
@@ -75,18 +83,15 @@ ParamState Refinement::as_given(const ParamState& state) const {
   return given;
 }
 
-Result<void> Refinement::prepare() {
-  const int given = std::max(1, static_cast<int>(start_.style.get(params_.kept)));
-  int paths = given;
-  for (int round = 0; round <= round_; ++round) paths *= kMorePaths;
+int Refinement::paths_of_round() const {
+  int paths = given_paths();
+  for (int round = 0; round < round_; ++round) paths *= kMorePaths;
   // A batch of slopes is not interrupted: many numbers are looked at along fewer paths.
   const int numbers = UnitMap::create(std::as_const(start_).blocks(), renderer_->frame()).dofs();
-  paths = std::min({paths, kMostPaths, kMostWork / (kPixels * std::max(1, numbers))});
-  if (paths <= given) {
-    phase_ = Phase::kDone;
-    return {};
-  }
-  const ParamState state = with_paths(progress_->best(), paths, false);
+  return std::min({paths, kMostPaths, kMostWork / (kPixels * std::max(1, numbers))});
+}
+
+Result<void> Refinement::prepare() {
   const StyleMetric& metric = renderer_->style().metric;
   Target seen;
   if (metric.blur > 0.0F) seen = as_compared(*target_, metric);
@@ -95,11 +100,23 @@ Result<void> Refinement::prepare() {
   const std::uint64_t seed = progress_->options().seed + 100 + static_cast<std::uint64_t>(round_);
   descent->level = {sampler.cut(kPixels, 1, seed), {0.0F, 0.0F, 0.0F, 8}, 0.006, 0.005, kIterations};
   const SampleCells& cells = descent->level.cells;
+  if (round_ == 0 && cells.size() * given_paths() * kMorePaths <= kManyPaths) round_ = 1;
+  const int paths = paths_of_round();
+  if (round_ > 0 && paths <= given_paths()) {
+    phase_ = Phase::kDone;
+    return {};
+  }
+  const ParamState state = with_paths(progress_->best(), paths, false);
   LUM_TRY(descent->parts, PictureParts::create(*renderer_, state, cells.samples));
   LUM_TRY(CellProblem problem,
           CellProblem::create(*renderer_, descent->parts, descent->level, state, Norm::kUnsquared));
   descent->problem.emplace(std::move(problem));
   LUM_TRY(CellPoint point, descent->problem->measure(state));
+  if (round_ == 0) {
+    LUM_TRY(const CellPoint start, descent->problem->measure(with_paths(start_, paths, false)));
+    descent->cost_start = start.cost;
+    descent->cost = point.cost;
+  }
   Vec3 sum(0.0F);
   for (const Vec3& position : cells.position) sum += position;
   const Vec3 focus = sum / static_cast<float>(std::max(1, cells.size()));
@@ -110,9 +127,23 @@ Result<void> Refinement::prepare() {
   return {};
 }
 
+/// A look ahead only tells whether there is something to gain: what it finds fits the noise of as few paths.
+void Refinement::end_descent() {
+  if (round_ > 0) {
+    found_ = as_given(descent_->newton->point().state);
+    phase_ = Phase::kJudge;
+    return;
+  }
+  const double found = descent_->newton->point().cost;
+  const bool worthwhile = descent_->cost - found > kWorthwhile * (descent_->cost_start - found);
+  descent_.reset();
+  round_ = 1;
+  phase_ = worthwhile ? Phase::kPrepare : Phase::kDone;
+}
+
 Result<void> Refinement::judge() {
   const std::array<const ParamState*, 3> states{&start_, &progress_->best(), &found_};
-  const int paths = kJudges * std::max(1, static_cast<int>(start_.style.get(params_.kept)));
+  const int paths = kJudges * given_paths();
   const ParamState state = with_paths(*states[judged_.size()], paths, true);
   Objective objective(*renderer_, state, *target_);
   LUM_TRY(const double epsilon, objective.evaluate(objective.unit(state)));
@@ -137,7 +168,7 @@ void Refinement::end_round() {
   ++round_;
   const bool worthwhile = found < best && best - found > kWorthwhile * (start - found);
   const bool affordable = progress_->options().max_evals - progress_->report().evals >= kPictures;
-  const bool more = worthwhile && affordable && round_ < kRounds && progress_->running();
+  const bool more = worthwhile && affordable && round_ <= kRounds && progress_->running();
   phase_ = more ? Phase::kPrepare : Phase::kDone;
 }
 
@@ -149,8 +180,7 @@ Result<bool> Refinement::step() {
     case Phase::kDescend: {
       LUM_TRY(const bool more, descent_->newton->iterate());
       if (more) break;
-      found_ = as_given(descent_->newton->point().state);
-      phase_ = Phase::kJudge;
+      end_descent();
       break;
     }
     case Phase::kJudge:

@@ -12,7 +12,8 @@ namespace luminist {
 /// another seed, this descends from there on single pixels (Gauss-Newton), and compares start, best and outcome on
 /// whole pictures of paths that neither descent has seen: only what is better there is kept. From the first such
 /// comparison on the report's numbers, the start's too, are of those paths. A round that gains little ends it: what is
-/// left is noise.
+/// left is noise. Where many pixels make rounds expensive, a descent on as few paths as the solve had, but others,
+/// comes first: where even that gains little nothing more is done.
 ///
 /// The style's parameters of the roles "kept" and "seed" choose the paths; states that are recorded have the user's
 /// own. The renderer, target and progress must outlive it. thread: the renderer's. errors the renderer's. source
@@ -45,7 +46,10 @@ class Refinement final : public Solver {
   [[nodiscard]] ParamState with_paths(const ParamState& state, int paths, bool for_judging) const;
   /// The same with the user's paths.
   [[nodiscard]] ParamState as_given(const ParamState& state) const;
+  [[nodiscard]] int given_paths() const;  ///< the user's
+  [[nodiscard]] int paths_of_round() const;
   Result<void> prepare();
+  void end_descent();
   Result<void> judge();
   void end_round();
 
@@ -56,7 +60,7 @@ class Refinement final : public Solver {
   std::shared_ptr<const EdgeMask> edges_;
   PathParams params_;
   Phase phase_ = Phase::kPrepare;
-  int round_ = 0;
+  int round_ = 0;  ///< 0: the look ahead
   std::unique_ptr<Descent> descent_;
   ParamState found_;            ///< of this round
   std::vector<double> judged_;  ///< the errors of start, best and found, as far as they are known

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdlib>
+
 #include "fake_renderer.h"
 #include "render/metric.h"
 #include "solve/random.h"
@@ -27,9 +30,9 @@ ParamSpec number(const std::string& name, double value, double most) {
 /// The fake's pictures with the noise of as many paths as the style keeps, chosen by its seed.
 class NoisyRenderer final : public Renderer {
  public:
-  explicit NoisyRenderer(bool counts_paths) : fake_(kSize, kSize) {
+  explicit NoisyRenderer(bool counts_paths, int paths = 2) : fake_(kSize, kSize) {
     style_ = fake_.style();
-    std::vector<ParamSpec> specs{number("kept", 2, 256)};
+    std::vector<ParamSpec> specs{number("kept", paths, 256)};
     if (counts_paths) specs.push_back(number("seed", 1, 1e6));
     auto schema = ParamSchema::create(std::move(specs), "noisy");
     EXPECT_TRUE(schema);
@@ -67,7 +70,7 @@ class NoisyRenderer final : public Renderer {
  private:
   [[nodiscard]] static float noise(const ParamState& state, std::size_t pixel) {
     const auto seed = state.style.schema().by_role("seed");
-    Random random(1000003 * static_cast<std::uint64_t>(seed ? state.style.get(*seed) : 0.0) + pixel);
+    Random random(1000003 * static_cast<std::uint64_t>(seed ? state.style.get(*seed) : 1.0) + pixel);
     const double spread = 1.5 / std::sqrt(state.style.get(*state.style.schema().by_role("kept")));
     return static_cast<float>(1.0 + spread * random.uniform(-1.0, 1.0));
   }
@@ -91,7 +94,7 @@ class RefinementTest : public ::testing::Test {
     params.set_vec3(position, params.vec3(position) + Vec3(0.4F, -0.3F, 0.2F));
   }
   Result<ParamState> solve(NoisyRenderer& renderer) {
-    const Target target = renderer.exact().target_of(*wanted_, *start_);
+    const Target target = this->target(renderer);
     const SolveOptions options{.solver = SolverKind::kFast, .max_evals = most_evals_, .restarts = 0};
     LUM_TRY(SolveSession session, SolveSession::create(renderer, renderer.with_style(*start_), target, options));
     for (bool more = true; more;) {
@@ -100,7 +103,18 @@ class RefinementTest : public ::testing::Test {
     report_ = session.report();
     return session.best();
   }
-  /// Without noise.
+  /// Of a square in the middle, where it is not the whole picture.
+  Target target(NoisyRenderer& renderer) {
+    Target target = renderer.exact().target_of(*wanted_, *start_);
+    for (int y = 0; y < kSize; ++y) {
+      for (int x = 0; x < kSize; ++x) {
+        const bool counts = std::max(std::abs(x - kSize / 2), std::abs(y - kSize / 2)) <= half_;
+        target.importance.at(x, y, 0) = counts ? 1.0F : 0.0F;
+      }
+    }
+    return target;
+  }
+  /// Without noise, of the whole picture.
   double true_error(NoisyRenderer& renderer, const ParamState& state) {
     const Target target = renderer.exact().target_of(*wanted_, *start_);
     auto error = renderer.exact().error(state, target);
@@ -110,15 +124,29 @@ class RefinementTest : public ::testing::Test {
 
   std::unique_ptr<ParamState> wanted_, start_;
   SolveReport report_;
+  int half_ = kSize;  ///< of the square that counts
   int most_evals_ = SolveOptions{}.max_evals;
 };
 
 TEST_F(RefinementTest, FindsWhatTheNoiseOfFewPathsHides) {
+  half_ = 4;
   NoisyRenderer few(false);
   LUM_ASSERT_OK(const ParamState coarse, solve(few));
   NoisyRenderer more(true);
   LUM_ASSERT_OK(const ParamState fine, solve(more));
   EXPECT_LT(true_error(more, fine), 0.8 * true_error(few, coarse));
+}
+
+TEST_F(RefinementTest, DoesNoMoreWhereALookAheadGainsNothing) {
+  constexpr int kMany = 16;
+  NoisyRenderer alone(false, kMany);
+  LUM_ASSERT_OK([[maybe_unused]] const ParamState coarse, solve(alone));
+  const SolveReport without = report_;
+  NoisyRenderer renderer(true, kMany);
+  LUM_ASSERT_OK(const ParamState found, solve(renderer));
+  EXPECT_EQ(report_.evals, without.evals) << "no picture is compared for it";
+  EXPECT_EQ(report_.epsilon, without.epsilon);
+  EXPECT_LT(true_error(renderer, found), 0.02 * true_error(renderer, renderer.with_style(*start_)));
 }
 
 TEST_F(RefinementTest, LeavesTheUsersPathsAndTellsTheErrorsOfMore) {
