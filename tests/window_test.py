@@ -80,6 +80,39 @@ def compare_panels(studio):
     time.sleep(1)
 
 
+MATERIALS, CHOOSE = (1004, 194), (965, 222)  # the heading in the tab of styles, and what picks one in the picture
+ROUGHNESS_LOCK, ROUGHNESS = (965, 474), (1175, 474)  # of the material that is selected
+
+
+def turn_a_material(studio, project):
+    """A click on the jug chooses its glaze; what a solve may turn is unlocked, a slider turns it, both are undone."""
+    studio.click(TABS["style"], 42)
+    studio.click(*MATERIALS)
+    studio.click(*CHOOSE)
+    studio.click(*place(0.45, 0.6))
+    park(studio)
+    compare(studio, "materials", RIGHT_PANEL)
+    studio.click(*ROUGHNESS_LOCK)
+    wait_for("a number of the glaze is free", lambda: count(project, "Unlock materials/jug_glaze/roughness") == 1)
+    studio.do("mousemove", *ROUGHNESS)
+    studio.do("mousedown", 1)
+    for x in (1150, 1120):
+        studio.do("mousemove", x, ROUGHNESS[1])
+        time.sleep(0.3)
+    studio.do("mouseup", 1)
+    wait_for("it is set once", lambda: count(project, "Set materials/jug_glaze/roughness=") == 1)
+    studio.shot("material_set")
+    before = len(records(project))
+    studio.key("ctrl+z", "ctrl+z")
+    wait_for("both are undone", lambda: len(records(project)) == before + 2)
+    park(studio)
+    compare(studio, "materials", RIGHT_PANEL)
+    if count(project, "Set materials/jug_glaze/roughness=") != 1:
+        raise Fault("one drag of a slider is recorded more than once")
+    studio.click(*MATERIALS)
+    studio.click(*TAB_LIGHTS)
+
+
 HOLDS = (1160, 216)  # the list of what holds of the light that is selected
 
 
@@ -101,6 +134,7 @@ def paint_and_accept(studio):
     ready(studio)
     compare(studio, "open")
     compare_panels(studio)
+    turn_a_material(studio, project)
     strokes = [[(0.38, 0.33), (0.40, 0.50), (0.47, 0.40), (0.45, 0.22), (0.45, 0.60)], [(0.51, 0.70), (0.56, 0.74)],
                [(0.77, 0.73), (0.82, 0.77)]]
     for number, stroke in enumerate(strokes, 1):

@@ -104,7 +104,7 @@ void Layout::draw(Desk& desk, CanvasPanel& canvas, std::span<const HandEvent> ev
   if (desk.orbit && desk.has_shot()) {
     orbit_.draw(desk, middle, events);
   } else {
-    orbit_.rest(desk);
+    orbit_.closed(desk);
     const std::vector<HandEvent> others = goal_picker_.take(desk, link_picker_.take(desk, events));
     canvas.draw(desk, middle, others);
     link_picker_.draw(desk);

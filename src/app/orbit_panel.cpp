@@ -209,7 +209,7 @@ void OrbitPanel::light_up(Desk& desk, const ScreenRect& rect) {
   lit_.ask(desk, std::move(wish));
 }
 
-void OrbitPanel::rest(Desk& desk) {
+void OrbitPanel::closed(Desk& desk) {
   if (!drawn_ || desk.time - *drawn_ < kAway) return;
   drawn_.reset();
   LitView::put_away(desk);

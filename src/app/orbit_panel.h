@@ -20,8 +20,8 @@ namespace luminist {
 class OrbitPanel {
  public:
   void draw(Desk& desk, const ScreenRect& rect, std::span<const HandEvent> events);
-  /// In place of draw(), where the canvas is looked at: after a while nothing is kept but the scene.
-  void rest(Desk& desk);
+  /// In place of draw(), where the canvas is looked at. After a while what new pictures need is given back.
+  void closed(Desk& desk);
 
  private:
   enum class Grip { kNone, kTurn, kPan, kLight, kAim, kShape };
@@ -52,7 +52,7 @@ class OrbitPanel {
   OrbitEye eye_;
   Camera camera_;
   double moved_ = 0.0;           ///< when the eye did, in seconds of the window's clock
-  std::optional<double> drawn_;  ///< when it was last, likewise; none: everything is put away
+  std::optional<double> drawn_;  ///< when it was last, likewise; none: there is nothing to put away
   Grip grip_ = Grip::kNone;
   Vec2 last_{0.0F};
 

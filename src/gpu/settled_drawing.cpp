@@ -3,15 +3,11 @@
 #include <algorithm>
 #include <array>
 
-#include "gpu/gl_texture.h"
-
 namespace luminist {
 namespace {
 
-constexpr std::size_t kSlotBytes = std::size_t{30} << 20U;  // llvmpipe's end at 36 MB of triangles, 64 of textures
-constexpr std::size_t kTriangleBytes = 1024;                // with sixteen varyings and its places in the tiles
-constexpr std::size_t kTexelBytes = 16;
-constexpr GLsizei kPortion = 3 * 10'000;  // indices
+/// llvmpipe's slots end at 36 MB of triangles: of some 400 bytes, or a kilobyte with sixteen varyings.
+constexpr GLsizei kSlotIndices = 3 * 30'000;
 
 }  // namespace
 
@@ -35,25 +31,18 @@ SettledDrawing::~SettledDrawing() {
   glDeleteRenderbuffers(1, &pixel);
 }
 
-void SettledDrawing::take(std::size_t bytes) {
-  taken_ += bytes;
-  if (!software_ || taken_ <= kSlotBytes) return;
-  glFinish();
-  taken_ = bytes;
-}
-
 void SettledDrawing::triangles(GLsizei index_count, std::size_t index_offset, GLint base_vertex) {
-  const GLsizei portion = software_ ? kPortion : std::max(index_count, 1);
+  const GLsizei portion = software_ ? kSlotIndices : std::max(index_count, 1);
   for (GLsizei first = 0; first < index_count; first += portion) {
     const GLsizei count = std::min(portion, index_count - first);
-    take(static_cast<std::size_t>(count) / 3 * kTriangleBytes);
+    if (software_ && taken_ + count > kSlotIndices) {
+      glFinish();
+      taken_ = 0;
+    }
+    taken_ += count;
     const std::size_t offset = index_offset + static_cast<std::size_t>(first) * sizeof(GLuint);
     glDrawElementsBaseVertex(GL_TRIANGLES, count, GL_UNSIGNED_INT, reinterpret_cast<const void*>(offset), base_vertex);
   }
-}
-
-void SettledDrawing::uses(const GlTexture& texture) {
-  take(static_cast<std::size_t>(texture.width()) * static_cast<std::size_t>(texture.height()) * kTexelBytes);
 }
 
 }  // namespace luminist

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/check.h"
+#include "gpu/settled_drawing.h"
 #include "raster/deep_framebuffer.h"
 
 namespace luminist {
@@ -197,24 +198,22 @@ void DeepPasses::draw_models(SettledDrawing& drawing, const Mat4& clip_from_worl
     program_.set("side", glm::determinant(linear) < 0.0F ? -1.0F : 1.0F);
     glProgramUniform2ui(program_.name(), glGetUniformLocation(program_.name(), "ids"), draw.object + 1,
                         draw.material + 1);
-    set_material(drawing, scene_->materials[draw.material]);
+    set_material(scene_->materials[draw.material]);
     draw_mesh(drawing, draw);
   }
 }
 
-void DeepPasses::set_material(SettledDrawing& drawing, const Material& material) {
+void DeepPasses::set_material(const Material& material) {
   program_.set("base_color", material.base_color);
   program_.set("metallic", material.metallic);
   program_.set("roughness", material.roughness);
   program_.set("specular", material.specular);
   program_.set("emissive", material.emissive);
   program_.set("normal_scale", material.normal_scale);
-  const auto bind = [&](GLuint unit, const char* flag, int index) {
+  const auto bind = [this](GLuint unit, const char* flag, int index) {
     const bool has = index >= 0 && textures_[static_cast<std::size_t>(index)].name() != 0;
     program_.set(flag, has ? 1 : 0);
-    if (!has) return;
-    textures_[static_cast<std::size_t>(index)].bind(unit);
-    drawing.uses(textures_[static_cast<std::size_t>(index)]);
+    if (has) textures_[static_cast<std::size_t>(index)].bind(unit);
   };
   bind(0, "has_base_color_texture", material.base_color_texture);
   bind(1, "has_metallic_roughness_texture", material.metallic_roughness_texture);

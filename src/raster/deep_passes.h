@@ -54,7 +54,7 @@ class DeepPasses {
   void draw_models(SettledDrawing& drawing, const Mat4& clip_from_world);
   /// Rows beyond a band on either side, for what looks at neighbours.
   [[nodiscard]] int margin() const { return lines_ ? kLineMargin : 0; }
-  void set_material(SettledDrawing& drawing, const Material& material);
+  void set_material(const Material& material);
 
   static constexpr int kLineMargin = 26;  // as far as shaders/raster/lines.comp reaches
 

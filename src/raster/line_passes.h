@@ -5,6 +5,7 @@
 #include "gpu/device.h"
 #include "gpu/gl_texture.h"
 #include "gpu/program.h"
+#include "gpu/settled_drawing.h"
 #include "raster/line_spec.h"
 #include "raster/outline_buffers.h"
 #include "scene/scene.h"

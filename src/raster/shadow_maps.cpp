@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "gpu/settled_drawing.h"
+
 namespace luminist {
 namespace {
 

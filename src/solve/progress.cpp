@@ -44,13 +44,6 @@ void Progress::record(const ParamState& state, double epsilon, double penalty) {
   }
 }
 
-void Progress::compare_anew(double epsilon_start, double epsilon) {
-  tally();
-  report_.epsilon_start = epsilon_start;
-  report_.epsilon = epsilon;
-  report_.convergence.push_back({report_.render_equivalents, report_.evals, report_.seconds, epsilon});
-}
-
 void Progress::improve(const ParamState& state, double epsilon) {
   report_.epsilon = epsilon;
   report_.penalty = penalty_of(state, renderer_->frame());

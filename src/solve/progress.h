@@ -18,9 +18,7 @@ class Progress {
   void record(const ParamState& state, double epsilon, double penalty);
   /// A full picture was compared in another way than those of record().
   void count() { ++report_.evals; }
-  /// What start and best come to where they are compared more exactly: the report tells that from now on.
-  void compare_anew(double epsilon_start, double epsilon);
-  /// A state is better than the best, compared in the same way. No picture more.
+  /// A state is better than the best, by a closer look than the errors that are told. No picture more.
   void improve(const ParamState& state, double epsilon);
   /// Ends the solve; the first reason stays.
   void finish(Termination termination);

@@ -12,7 +12,7 @@ namespace luminist {
 namespace {
 
 constexpr int kRounds = 2;            // after the look ahead
-constexpr int kManyPaths = 24'000;    // of all pixels: where a round needs more, a look ahead is cheap and sure
+constexpr int kManyPaths = 24'000;    // of all cells: where a round needs more, a look ahead is cheap and sure
 constexpr int kMorePaths = 4;         // times those of the round before
 constexpr int kMostPaths = 256;       // a pixel
 constexpr int kPixels = 3000;         // that a descent looks at
@@ -59,12 +59,13 @@ Refinement::Refinement(Renderer& renderer, const Target& target, Progress& progr
       start_(std::move(start)),
       edges_(std::move(edges)),
       params_(params),
-      found_(progress.best()) {}
+      best_(progress.best()),
+      found_(best_) {}
 
 Refinement::~Refinement() = default;
 
 int Refinement::given_paths() const {
-  return std::max(1, static_cast<int>(start_.style.get(params_.kept)));
+  return static_cast<int>(std::clamp(start_.style.get(params_.kept), 1.0, 1.0 * kMostPaths));
 }
 
 ParamState Refinement::with_paths(const ParamState& state, int paths, bool for_judging) const {
@@ -83,15 +84,19 @@ ParamState Refinement::as_given(const ParamState& state) const {
   return given;
 }
 
-int Refinement::paths_of_round() const {
+int Refinement::paths_of(int rounds) const {
   int paths = given_paths();
-  for (int round = 0; round < round_; ++round) paths *= kMorePaths;
+  for (int round = 0; round < rounds; ++round) paths *= kMorePaths;
   // A batch of slopes is not interrupted: many numbers are looked at along fewer paths.
   const int numbers = UnitMap::create(std::as_const(start_).blocks(), renderer_->frame()).dofs();
   return std::min({paths, kMostPaths, kMostWork / (kPixels * std::max(1, numbers))});
 }
 
 Result<void> Refinement::prepare() {
+  if (paths_of(std::max(1, round_)) <= given_paths()) {
+    phase_ = Phase::kDone;
+    return {};
+  }
   const StyleMetric& metric = renderer_->style().metric;
   Target seen;
   if (metric.blur > 0.0F) seen = as_compared(*target_, metric);
@@ -101,12 +106,8 @@ Result<void> Refinement::prepare() {
   descent->level = {sampler.cut(kPixels, 1, seed), {0.0F, 0.0F, 0.0F, 8}, 0.006, 0.005, kIterations};
   const SampleCells& cells = descent->level.cells;
   if (round_ == 0 && cells.size() * given_paths() * kMorePaths <= kManyPaths) round_ = 1;
-  const int paths = paths_of_round();
-  if (round_ > 0 && paths <= given_paths()) {
-    phase_ = Phase::kDone;
-    return {};
-  }
-  const ParamState state = with_paths(progress_->best(), paths, false);
+  const int paths = paths_of(round_);
+  const ParamState state = with_paths(best_, paths, false);
   LUM_TRY(descent->parts, PictureParts::create(*renderer_, state, cells.samples));
   LUM_TRY(CellProblem problem,
           CellProblem::create(*renderer_, descent->parts, descent->level, state, Norm::kUnsquared));
@@ -141,14 +142,16 @@ void Refinement::end_descent() {
   phase_ = worthwhile ? Phase::kPrepare : Phase::kDone;
 }
 
-Result<void> Refinement::judge() {
-  const std::array<const ParamState*, 3> states{&start_, &progress_->best(), &found_};
-  const int paths = kJudges * given_paths();
-  const ParamState state = with_paths(*states[judged_.size()], paths, true);
+Result<double> Refinement::error(const ParamState& state) {
   Objective objective(*renderer_, state, *target_);
-  LUM_TRY(const double epsilon, objective.evaluate(objective.unit(state)));
-  judged_.push_back(epsilon);
   progress_->count();
+  return objective.evaluate(objective.unit(state));
+}
+
+Result<void> Refinement::judge() {
+  const std::array<const ParamState*, 3> states{&start_, &best_, &found_};
+  LUM_TRY(const double epsilon, error(with_paths(*states[judged_.size()], kJudges * given_paths(), true)));
+  judged_.push_back(epsilon);
   if (judged_.size() == states.size()) end_round();
   return {};
 }
@@ -159,17 +162,33 @@ void Refinement::end_round() {
   const double found = judged_[2];
   judged_.clear();
   descent_.reset();
-  progress_->compare_anew(start, best);
   if (found < std::min(best, start)) {
-    progress_->improve(found_, found);
+    best_ = found_;
+    outcome_ = Outcome::kFound;
   } else if (start < best) {
-    progress_->improve(start_, start);  // what the fewer paths showed as a gain was their noise
+    best_ = start_;  // what the fewer paths showed as a gain was their noise
+    outcome_ = Outcome::kStart;
   }
   ++round_;
   const bool worthwhile = found < best && best - found > kWorthwhile * (start - found);
   const bool affordable = progress_->options().max_evals - progress_->report().evals >= kPictures;
   const bool more = worthwhile && affordable && round_ <= kRounds && progress_->running();
-  phase_ = more ? Phase::kPrepare : Phase::kDone;
+  phase_ = more ? Phase::kPrepare : Phase::kTell;
+}
+
+Result<void> Refinement::tell() {
+  phase_ = Phase::kDone;
+  const double start = progress_->report().epsilon_start;
+  if (outcome_ == Outcome::kFound) {
+    LUM_TRY(const double epsilon, error(best_));
+    if (epsilon < start) {
+      progress_->improve(best_, epsilon);
+      return {};
+    }
+    outcome_ = Outcome::kStart;
+  }
+  if (outcome_ == Outcome::kStart) progress_->improve(start_, start);
+  return {};
 }
 
 Result<bool> Refinement::step() {
@@ -185,6 +204,9 @@ Result<bool> Refinement::step() {
     }
     case Phase::kJudge:
       LUM_TRY_VOID(judge());
+      break;
+    case Phase::kTell:
+      LUM_TRY_VOID(tell());
       break;
     case Phase::kDone:
       break;

@@ -10,10 +10,10 @@ namespace luminist {
 
 /// What was found on a few kept paths a pixel fits their noise a little. In rounds, each on four times as many paths of
 /// another seed, this descends from there on single pixels (Gauss-Newton), and compares start, best and outcome on
-/// whole pictures of paths that neither descent has seen: only what is better there is kept. From the first such
-/// comparison on the report's numbers, the start's too, are of those paths. A round that gains little ends it: what is
-/// left is noise. Where many pixels make rounds expensive, a descent on as few paths as the solve had, but others,
-/// comes first: where even that gains little nothing more is done.
+/// whole pictures of paths that neither descent has seen: only what is better there is kept. The report tells its error
+/// on the user's paths, as it does of every solve. A round that gains little ends it: what is left is noise. Where
+/// rounds would look along many paths, a descent on as few as the solve had, but others, looks ahead: where that gains
+/// little, colours being solved anew before and after, nothing more is done.
 ///
 /// The style's parameters of the roles "kept" and "seed" choose the paths; states that are recorded have the user's
 /// own. The renderer, target and progress must outlive it. thread: the renderer's. errors the renderer's. source
@@ -21,9 +21,9 @@ namespace luminist {
 ///         Glasserman and Yao 1992.
 class Refinement final : public Solver {
  public:
-  static constexpr int kPictures = 3;  ///< that a round compares
+  static constexpr int kPictures = 4;  ///< that a round compares, and the one whose error is told
   /// Null for a renderer that does not estimate, for a style without those parameters, and where only colours turn:
-  /// they are averages over all samples as they are. start: of the whole solve, whose error is told anew. edges: as for
+  /// they are averages over all samples as they are. start: of the whole solve. edges: as for
   /// CellSampler.
   static std::unique_ptr<Refinement> create(Renderer& renderer, const Target& target, Progress& progress,
                                             ParamState start, std::shared_ptr<const EdgeMask> edges);
@@ -33,7 +33,8 @@ class Refinement final : public Solver {
 
  private:
   struct Descent;
-  enum class Phase { kPrepare, kDescend, kJudge, kDone };
+  enum class Phase { kPrepare, kDescend, kJudge, kTell, kDone };
+  enum class Outcome { kAsBefore, kFound, kStart };
   /// The numbers of the style that choose paths.
   struct PathParams {
     int kept = 0;
@@ -46,11 +47,14 @@ class Refinement final : public Solver {
   [[nodiscard]] ParamState with_paths(const ParamState& state, int paths, bool for_judging) const;
   /// The same with the user's paths.
   [[nodiscard]] ParamState as_given(const ParamState& state) const;
-  [[nodiscard]] int given_paths() const;  ///< the user's
-  [[nodiscard]] int paths_of_round() const;
+  [[nodiscard]] int given_paths() const;         ///< the user's
+  [[nodiscard]] int paths_of(int rounds) const;  ///< of a pixel, after so many rounds
   Result<void> prepare();
   void end_descent();
+  /// On a whole picture, which counts as one.
+  Result<double> error(const ParamState& state);
   Result<void> judge();
+  Result<void> tell();
   void end_round();
 
   Renderer* renderer_;
@@ -62,6 +66,8 @@ class Refinement final : public Solver {
   Phase phase_ = Phase::kPrepare;
   int round_ = 0;  ///< 0: the look ahead
   std::unique_ptr<Descent> descent_;
+  Outcome outcome_ = Outcome::kAsBefore;
+  ParamState best_;             ///< by what was judged so far
   ParamState found_;            ///< of this round
   std::vector<double> judged_;  ///< the errors of start, best and found, as far as they are known
 };

@@ -26,7 +26,8 @@ class FreeView {
   /// another than before.
   Result<Image> picture(const Camera& camera, int width, int height, const ParamState& lights);
   static constexpr double kPaths = 8.0;
-  /// Gives back what pictures need, several hundred bytes a pixel. The next one costs as much as the first.
+  /// Gives back what pictures need besides the scene: several hundred bytes a pixel, or what rays are traced in. The
+  /// next one costs as much as the first.
   void put_away();
 
  private:

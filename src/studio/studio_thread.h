@@ -36,9 +36,9 @@ class StudioThread {
   using Job = std::function<Result<void>(Workbench&)>;
   struct Options {
     AssetRoots roots;
-    std::filesystem::path unsaved;                ///< below it are kept sessions without a name
-    std::function<void()> on_change;              ///< called on the other thread: there is something new to look at
-    std::function<Result<Device>()> make_device;  ///< called on the other thread; empty: Device::create_headless()
+    std::filesystem::path unsaved;         ///< below it are kept sessions without a name
+    std::function<void()> on_change = {};  ///< called on the other thread: there is something new to look at
+    std::function<Result<Device>()> make_device = {};  ///< called on the other thread; empty: Device::create_headless()
     std::chrono::milliseconds slice{30};
   };
   explicit StudioThread(Options options);

@@ -1,7 +1,6 @@
 #include "gpu/settled_drawing.h"
 
 #include <gtest/gtest.h>
-#include <malloc.h>
 
 #include <algorithm>
 #include <array>
@@ -16,14 +15,10 @@
 #include "gpu/gl_vertex_array.h"
 #include "gpu/program.h"
 #include "support/fixtures.h"
+#include "support/held_memory.h"
 
 namespace luminist {
 namespace {
-
-std::size_t held_bytes() {
-  const struct mallinfo2 info = ::mallinfo2();
-  return info.uordblks + info.hblkhd;
-}
 
 struct Target {
   GlTexture texture;  ///< 16 MB where the size is 1024
@@ -33,6 +28,7 @@ struct Target {
 Target drawn_on(Device& device, int size) {
   auto texture = GlTexture::create_2d(device, GL_RGBA32F, size, size, "large");
   EXPECT_TRUE(texture);
+  if (!texture) return {};
   Target target{std::move(*texture), GlFramebuffer::create(device, "large")};
   target.framebuffer.attach_color(0, target.texture);
   LUM_EXPECT_OK(target.framebuffer.finish(1));
@@ -53,7 +49,7 @@ class SettledDrawingTest : public ::testing::Test {
     act(16);
     const std::size_t before = held_bytes();
     for (int i = 0; i < 4; ++i) act(size);
-    LUM_EXPECT_OK(device_->check_errors("settle"));
+    LUM_EXPECT_OK(device_->check_errors("settled drawing"));
     return std::max(held_bytes(), before) - before;
   }
   static constexpr std::size_t kFew = 4'000'000;

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 
 #include "fake_renderer.h"
@@ -30,7 +31,7 @@ ParamSpec number(const std::string& name, double value, double most) {
 /// The fake's pictures with the noise of as many paths as the style keeps, chosen by its seed.
 class NoisyRenderer final : public Renderer {
  public:
-  explicit NoisyRenderer(bool counts_paths, int paths = 2) : fake_(kSize, kSize) {
+  explicit NoisyRenderer(bool counts_paths, int paths = 2, double spread = 1.5) : fake_(kSize, kSize), spread_(spread) {
     style_ = fake_.style();
     std::vector<ParamSpec> specs{number("kept", paths, 256)};
     if (counts_paths) specs.push_back(number("seed", 1, 1e6));
@@ -68,14 +69,15 @@ class NoisyRenderer final : public Renderer {
   }
 
  private:
-  [[nodiscard]] static float noise(const ParamState& state, std::size_t pixel) {
+  [[nodiscard]] float noise(const ParamState& state, std::size_t pixel) const {
     const auto seed = state.style.schema().by_role("seed");
     Random random(1000003 * static_cast<std::uint64_t>(seed ? state.style.get(*seed) : 1.0) + pixel);
-    const double spread = 1.5 / std::sqrt(state.style.get(*state.style.schema().by_role("kept")));
+    const double spread = spread_ / std::sqrt(state.style.get(*state.style.schema().by_role("kept")));
     return static_cast<float>(1.0 + spread * random.uniform(-1.0, 1.0));
   }
 
   FakeRenderer fake_;
+  double spread_;  ///< of one path
   Style style_;
 };
 
@@ -149,14 +151,29 @@ TEST_F(RefinementTest, DoesNoMoreWhereALookAheadGainsNothing) {
   EXPECT_LT(true_error(renderer, found), 0.02 * true_error(renderer, renderer.with_style(*start_)));
 }
 
-TEST_F(RefinementTest, LeavesTheUsersPathsAndTellsTheErrorsOfMore) {
+TEST_F(RefinementTest, GoesOnWhereALookAheadGains) {
+  constexpr int kPaths = 16;
+  constexpr double kSpread = 12.0;
+  half_ = 12;
+  NoisyRenderer alone(false, kPaths, kSpread);
+  LUM_ASSERT_OK(const ParamState coarse, solve(alone));
+  const int evals = report_.evals;
+  NoisyRenderer renderer(true, kPaths, kSpread);
+  LUM_ASSERT_OK(const ParamState fine, solve(renderer));
+  EXPECT_GE(report_.evals, evals + Refinement::kPictures);
+  EXPECT_LT(true_error(renderer, fine), 0.8 * true_error(alone, coarse));
+}
+
+TEST_F(RefinementTest, LeavesTheUsersPathsAndTellsTheirErrors) {
   NoisyRenderer renderer(true);
   const ParamState start = renderer.with_style(*start_);
   LUM_ASSERT_OK(const ParamState found, solve(renderer));
   EXPECT_TRUE(found.style.same_values(start.style));
   const Target target = renderer.exact().target_of(*wanted_, *start_);
   LUM_ASSERT_OK(const double few, renderer.error(start, target));
-  EXPECT_LT(report_.epsilon_start, few);  // noise makes every error larger, and more paths have less of it
+  EXPECT_NEAR(report_.epsilon_start, few, 1e-9);
+  LUM_ASSERT_OK(const double left, renderer.error(found, target));
+  EXPECT_NEAR(report_.epsilon, left, 1e-6);
   EXPECT_LT(report_.epsilon, report_.epsilon_start);
   EXPECT_EQ(report_.termination, Termination::kConverged);
 }
@@ -169,7 +186,7 @@ TEST_F(RefinementTest, NeverEndsWorseThanItsStartNorComparesMoreThanItMay) {
     ParamBlock& params = start_->rig.lights.front().params;
     params.set_param_locked(-1, true);
     params.set_param_locked(*params.schema().by_role("position"), false);
-    NoisyRenderer renderer(true);
+    NoisyRenderer renderer(true, light == 2 ? 16 : 2);
     for (const int most : {8, 200}) {
       most_evals_ = most;
       LUM_ASSERT_OK([[maybe_unused]] const ParamState found, solve(renderer));
