@@ -25,7 +25,7 @@ struct GiOptions {
 /// full              the simplex of the paper on whole pictures, each traced anew (unimportant pixels with fewer
 ///                   paths), until it has collapsed once or the cap is reached
 /// multiresolution   the same from a quarter of the size over a half to the whole, each from where the last one ended
-/// kept              the fast solver on kept paths, without its rounds of restarts either; refined where that is worth it
+/// kept              the fast solver on kept paths, without its rounds of restarts either; refined where that gains
 /// searched          the same with its rounds, as the studio solves
 ///
 /// Each is timed from its first picture on (kept paths are traced within); the scene is loaded before. The state that
