@@ -44,7 +44,7 @@ def memory(studio):
 
 
 def memory_of_the_shot(studio):
-    """As memory(), with the view from anywhere closed, which gives back what it needs; whether it is, only that tells."""
+    """As memory(), with the view from anywhere closed: it gives back what it needs, so the smaller one of two looks."""
     first = memory(studio)
     studio.key("v")
     return min(first, memory(studio))

@@ -6,7 +6,7 @@
 namespace luminist {
 namespace {
 
-/// llvmpipe's slots end at 36 MB of triangles: of some 400 bytes, or a kilobyte with sixteen varyings.
+/// In Mesa 22 a slot (lp_scene) holds 36 MB of triangles, each of them a kilobyte at most with sixteen varyings.
 constexpr GLsizei kSlotIndices = 3 * 30'000;
 
 }  // namespace

@@ -44,14 +44,15 @@ class SettledDrawingTest : public ::testing::Test {
     LUM_ASSERT_OK(device_, Device::create_headless());
     if (!device_->info().software) GTEST_SKIP() << "the driver's memory is its own";
   }
-  /// Bytes the driver keeps of what `act` made at this size and deleted again, beyond what it keeps of a small one.
-  std::size_t kept_of(const std::function<void(int)>& act, int size = 1024) {
+  /// Bytes the driver keeps of what `act` made large and deleted again, beyond what it keeps of a small one.
+  std::size_t kept_of(const std::function<void(int)>& act) {
     act(16);
     const std::size_t before = held_bytes();
-    for (int i = 0; i < 4; ++i) act(size);
+    for (int i = 0; i < 4; ++i) act(kLarge);
     LUM_EXPECT_OK(device_->check_errors("settled drawing"));
     return std::max(held_bytes(), before) - before;
   }
+  static constexpr int kLarge = 1024;
   static constexpr std::size_t kFew = 4'000'000;
   std::optional<Device> device_;
 };
@@ -91,7 +92,7 @@ void main() { color = a + b + c + d + e + f; })"};
     const Target target = drawn_on(*device_, size);
     array.bind();
     program.use();
-    drawing.triangles(3 * (size < 1024 ? 1 : kTriangles), 0, 0);
+    drawing.triangles(3 * (size < kLarge ? 1 : kTriangles), 0, 0);
   };
   EXPECT_LT(kept_of(act), kFew);
 }

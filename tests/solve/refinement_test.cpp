@@ -96,7 +96,7 @@ class RefinementTest : public ::testing::Test {
     params.set_vec3(position, params.vec3(position) + Vec3(0.4F, -0.3F, 0.2F));
   }
   Result<ParamState> solve(NoisyRenderer& renderer) {
-    const Target target = this->target(renderer);
+    const Target target = painted(renderer);
     const SolveOptions options{.solver = SolverKind::kFast, .max_evals = most_evals_, .restarts = 0};
     LUM_TRY(SolveSession session, SolveSession::create(renderer, renderer.with_style(*start_), target, options));
     for (bool more = true; more;) {
@@ -105,8 +105,8 @@ class RefinementTest : public ::testing::Test {
     report_ = session.report();
     return session.best();
   }
-  /// Of a square in the middle, where it is not the whole picture.
-  Target target(NoisyRenderer& renderer) {
+  /// The wanted light's picture, which counts in the square.
+  Target painted(NoisyRenderer& renderer) {
     Target target = renderer.exact().target_of(*wanted_, *start_);
     for (int y = 0; y < kSize; ++y) {
       for (int x = 0; x < kSize; ++x) {
@@ -126,7 +126,7 @@ class RefinementTest : public ::testing::Test {
 
   std::unique_ptr<ParamState> wanted_, start_;
   SolveReport report_;
-  int half_ = kSize;  ///< of the square that counts
+  int half_ = kSize;  ///< of the square in the middle that counts, half its side; kSize: all of the picture
   int most_evals_ = SolveOptions{}.max_evals;
 };
 
