@@ -5,7 +5,7 @@
 namespace luminist {
 namespace {
 
-constexpr std::array<ToolFacts, kTools> kFacts = {{
+constexpr std::array<ToolFacts, kTools> kToolFacts = {{
     {"Light", "Paint the light you want to see.", PaintTool::kColor},
     {"Brighten", "Make what is there brighter, by stops.", PaintTool::kBrighten},
     {"Darken", "Make what is there darker, by stops.", PaintTool::kDarken},
@@ -24,7 +24,7 @@ constexpr float kMostDiameter = 2.0F;
 }  // namespace
 
 const ToolFacts& facts_of(Tool tool) {
-  return kFacts[static_cast<std::size_t>(tool)];
+  return kToolFacts[static_cast<std::size_t>(tool)];
 }
 
 BrushBox::BrushBox() {

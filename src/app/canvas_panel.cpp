@@ -8,10 +8,6 @@
 namespace luminist {
 namespace {
 
-ImVec2 im(const Vec2& v) {
-  return {v.x, v.y};
-}
-
 /// The share of a picture between two of its borders, on the screen.
 void draw_part(ImDrawList& list, const CanvasView& view, ImTextureID texture, float from, float to) {
   const Vec2 size = view.picture_size();

@@ -10,7 +10,7 @@
 namespace luminist {
 namespace {
 
-constexpr std::array<ChannelFacts, kChannels> kFacts = {{
+constexpr std::array<ChannelFacts, kChannels> kChannelFacts = {{
     {"Light", "What the lights make of it. Strokes that no solve has answered yet lie over it."},
     {"Paint", "What you painted: the picture that the solver is after."},
     {"Residual", "Where light and paint differ, as much as it counts. Black: not at all."},
@@ -114,7 +114,7 @@ Image albedo_image(const SurfaceBuffer& surface) {
 }  // namespace
 
 const ChannelFacts& facts_of(Channel channel) {
-  return kFacts[static_cast<std::size_t>(channel)];
+  return kChannelFacts[static_cast<std::size_t>(channel)];
 }
 
 DisplayOptions display_of(Channel channel, const DisplayOptions& light) {

@@ -4,6 +4,8 @@
 
 namespace luminist {
 
+inline constexpr float kPrecise = 0.1F;  ///< of a drag, where it shall be precise
+
 struct HandEvent {
   enum class Kind { kMove, kPress, kRelease, kScroll };
   Kind kind = Kind::kMove;

@@ -9,9 +9,9 @@ namespace luminist {
 namespace {
 
 /// Draws in units of half the icon's size around its centre.
-class Pen {
+class IconPen {
  public:
-  Pen(ImDrawList& list, const ImVec2& center, float size, ImU32 color)
+  IconPen(ImDrawList& list, const ImVec2& center, float size, ImU32 color)
       : list_(&list), center_(center), unit_(0.5F * size), color_(color), width_(std::max(1.2F, size / 12.0F)) {}
 
   [[nodiscard]] ImVec2 at(float x, float y) const { return {center_.x + x * unit_, center_.y + y * unit_}; }
@@ -49,7 +49,7 @@ class Pen {
 
 constexpr float kTurn = 6.28318F;
 
-void draw_lock(Pen& pen, Icon icon) {
+void draw_lock(IconPen& pen, Icon icon) {
   if (icon == Icon::kOpen) {
     pen.arc(0.0F, -0.2F, 0.35F, 0.5F * kTurn, 0.92F * kTurn);
     pen.box(-0.55F, -0.05F, 0.55F, 0.75F);
@@ -64,7 +64,7 @@ void draw_lock(Pen& pen, Icon icon) {
   }
 }
 
-void draw_tool(Pen& pen, Icon icon) {
+void draw_tool(IconPen& pen, Icon icon) {
   switch (icon) {
     case Icon::kSun:
       pen.circle(0, 0, 0.36F), pen.rays(0.58F, 0.9F);
@@ -109,7 +109,7 @@ Icon icon_of(Tool tool) {
 }
 
 void draw_icon(ImDrawList& list, Icon icon, const ImVec2& center, float size, ImU32 color) {
-  Pen pen(list, center, size, color);
+  IconPen pen(list, center, size, color);
   switch (icon) {
     case Icon::kLocked:
     case Icon::kOpen:

@@ -2,14 +2,10 @@
 
 #include <cmath>
 
+#include "app/hand_event.h"
+
 namespace luminist {
 namespace {
-
-constexpr float kPrecise = 0.1F;
-
-ImVec2 im(const Vec2& v) {
-  return {v.x, v.y};
-}
 
 /// It has a place to be turned from; the sun's direction is its place on the rim.
 bool shines_at(const LightPose& pose) {

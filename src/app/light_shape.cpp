@@ -42,7 +42,7 @@ std::vector<Vec2> circle() {
   constexpr int kPoints = 48;
   std::vector<Vec2> places;
   for (int i = 0; i <= kPoints; ++i) {
-    const float angle = 2.0F * static_cast<float>(kPi) * static_cast<float>(i % kPoints) / static_cast<float>(kPoints);
+    const float angle = 2.0F * kPiF * static_cast<float>(i % kPoints) / static_cast<float>(kPoints);
     places.emplace_back(std::cos(angle), std::sin(angle));
   }
   return places;

@@ -25,12 +25,6 @@ std::vector<std::string> lock_patterns(const Light& light, bool any_free) {
   return patterns.empty() ? std::vector{path} : patterns;
 }
 
-int locked_dofs(const ParamBlock& block) {
-  int locked = 0;
-  for (int d = 0; d < block.schema().dofs(); ++d) locked += block.locked_by_hand(d) ? 1 : 0;
-  return locked;
-}
-
 void swatch(const Desk& desk, const Light& light) {
   const auto param = light.params.schema().by_role("color");
   const Vec3 color = param ? light.params.vec3(*param) : Vec3(0.0F);
@@ -138,7 +132,7 @@ Members members_of(const LightRig& rig, const std::string& group) {
     if (light.group != group) continue;
     members.names.push_back(light.name);
     members.muted = members.muted && light.muted;
-    members.locked += locked_dofs(light.params);
+    members.locked += light.params.locks();
     members.dofs += light.params.schema().dofs();
   }
   const bool any_free = members.locked != members.dofs;
@@ -232,7 +226,7 @@ void LightsPanel::buttons(Desk& desk, const Light& light) {
   ImGui::SameLine(0.0F, 0.0F);
   mute_button(desk, light.name, light.muted, side);
   ImGui::SameLine(0.0F, 0.0F);
-  const int locked = locked_dofs(light.params);
+  const int locked = light.params.locks();
   const int all = light.params.schema().dofs();
   lock_button(desk, "lock", locked, all, lock_patterns(light, locked != all), side);
   ImGui::SameLine(0.0F, 0.0F);

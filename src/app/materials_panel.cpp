@@ -14,12 +14,6 @@ namespace {
 
 constexpr int kRows = 4;  // of the list that are in sight at once, with the parameters below them
 
-int locked_dofs(const ParamBlock& block) {
-  int locked = 0;
-  for (int dof = 0; dof < block.schema().dofs(); ++dof) locked += block.locked_by_hand(dof) ? 1 : 0;
-  return locked;
-}
-
 void swatch(const Desk& desk, const Vec3& color) {
   const float side = desk.theme.px(14.0F);
   const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -84,7 +78,7 @@ void MaterialsPanel::row(Desk& desk, const Seen& seen) {
   const MaterialParams& material = desk.now->shown->materials[static_cast<std::size_t>(seen.material)];
   const ParamBlock& params = material.params;
   ImGui::PushID(seen.material);
-  lock_button(desk, "lock", locked_dofs(params), params.schema().dofs(), {"materials/" + material.name},
+  lock_button(desk, "lock", params.locks(), params.schema().dofs(), {"materials/" + material.name},
               ImGui::GetFrameHeight());
   ImGui::SameLine(0.0F, desk.theme.px(6.0F));
   const MaterialTurn turn = turn_of(params);
@@ -138,7 +132,7 @@ void MaterialsPanel::heading(const Desk& desk) {
   int free = 0;
   for (const MaterialParams& material : desk.now->shown->materials) {
     changed += turn_of(material.params).nothing() ? 0 : 1;
-    free += locked_dofs(material.params) < material.params.schema().dofs() ? 1 : 0;
+    free += material.params.locks() < material.params.schema().dofs() ? 1 : 0;
   }
   ImGui::SetCursorPos({start.x + 1.1F * side, start.y});
   ImGui::AlignTextToFramePadding();

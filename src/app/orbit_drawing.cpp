@@ -7,10 +7,6 @@
 namespace luminist {
 namespace {
 
-ImVec2 im(const Vec2& v) {
-  return {v.x, v.y};
-}
-
 ImU32 faint(ImU32 color, ImU32 alpha) {
   return (color & 0x00FFFFFFU) | (alpha << 24U);
 }

@@ -13,14 +13,9 @@
 namespace luminist {
 namespace {
 
-constexpr double kRest = 0.2;  // seconds after which the eye rests
-constexpr double kAway = 5.0;  // seconds after which nobody is thought to look again soon
-constexpr float kPrecise = 0.1F;
+constexpr double kRest = 0.2;        // seconds after which the eye rests
+constexpr double kAway = 5.0;        // seconds after which nobody is thought to look again soon
 constexpr float kQuickScale = 0.5F;  // of a picture that must come soon
-
-ImVec2 im(const Vec2& v) {
-  return {v.x, v.y};
-}
 
 int scaled(float size, float scale) {
   return std::max(16, static_cast<int>(size * scale));

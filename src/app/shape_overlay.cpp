@@ -6,10 +6,6 @@ namespace {
 constexpr ImU32 kLine = (paint_colors::kAccent & 0x00FFFFFFU) | 0xC0000000U;
 constexpr ImU32 kFaintLine = (paint_colors::kAccent & 0x00FFFFFFU) | 0x60000000U;
 
-ImVec2 im(const Vec2& v) {
-  return {v.x, v.y};
-}
-
 void words_at(const Theme& theme, ImDrawList& list, const Vec2& at, const std::string& words) {
   const float pad = theme.px(4.0F);
   const ImVec2 size = ImGui::CalcTextSize(words.c_str());

@@ -15,10 +15,6 @@ namespace {
 constexpr float kGutter = 132.0F;  // points, for names
 constexpr float kRow = 19.0F;
 
-std::string path_of(const std::string& light) {
-  return light.empty() ? "ambient" : "lights/" + light;
-}
-
 /// Changes keys; what a solve proposes comes in force first.
 template <class Edit>
 void edit_keys(Desk& desk, const char* label, const Edit& edit) {
@@ -107,20 +103,21 @@ void ShotsPanel::paint_row(Desk& desk, const FrameFacts& facts, const TimeScale&
   list.AddLine({scale.left, middle}, {scale.right, middle}, IM_COL32(58, 58, 58, 255));
   const float r = theme.px(5.0F);
   for (const PaintedFrame& painted : facts.painted) {
-    const float x = scale.x_of(painted.frame);
-    ImGui::PushID(static_cast<int>(std::lround(painted.frame * 100.0)));
+    if (painted.at.camera != facts.camera) continue;
+    const float x = scale.x_of(painted.at.frame);
+    ImGui::PushID(static_cast<int>(std::lround(painted.at.frame * 100.0)));
     list.AddCircleFilled({x, middle}, r, IM_COL32(196, 132, 96, 255), 16);
     list.AddCircleFilled({x + 0.5F * r, middle - 0.6F * r}, 0.5F * r, IM_COL32(228, 176, 132, 255), 12);
     ImGui::SetCursorScreenPos({x - r, middle - r});
-    if (ImGui::InvisibleButton("paint", {2.0F * r, 2.0F * r})) desk.studio->go_to(painted.frame);
-    const std::string number = number_text(painted.frame);
+    if (ImGui::InvisibleButton("paint", {2.0F * r, 2.0F * r})) desk.studio->go_to(painted.at.frame);
+    const std::string number = number_text(painted.at.frame);
     tip(theme, fmt::format("Frame {}: {} stroke{}. Click to go there, right click to clear.", number, painted.strokes,
                            painted.strokes == 1 ? "" : "s")
                    .c_str());
     if (ImGui::BeginPopupContextItem("clear")) {
       if (ImGui::MenuItem(fmt::format("Clear the paint of frame {}", number).c_str())) {
-        const double frame = painted.frame;
-        desk.studio->act("clear the paint", [frame](Session& session) { return Shots(session).clear_paint(frame); });
+        const Vantage where = painted.at;
+        desk.studio->act("clear the paint", [where](Session& session) { return Shots(session).clear_paint(where); });
       }
       ImGui::EndPopup();
     }
@@ -232,7 +229,7 @@ void ShotsPanel::new_key(Desk& desk) {
   const LightRig& rig = desk.now->shown->rig;
   const Light* light = rig.find(desk.selected);
   const ParamBlock& block = light != nullptr ? light->params : rig.ambient;
-  const std::string path = path_of(light != nullptr ? light->name : "");
+  const std::string path = light_path(light != nullptr ? light->name : "");
   if (ImGui::SmallButton("+ key")) ImGui::OpenPopup("new key");
   tip(desk.theme, light != nullptr ? "Keys a parameter of the selected light at this frame."
                                    : "Keys the ambient at this frame; select a light to key what it has.");

@@ -52,7 +52,7 @@ class ShotsPanel {
     bool on = true;
     float weight = 1.0F;
   };
-  std::map<double, Choice> choices_;
+  std::map<Vantage, Choice> choices_;
   bool judge_ = true;
   std::shared_ptr<const FrameFacts> textured_;
   DisplayOptions display_;

@@ -8,6 +8,7 @@
 #include "app/icons.h"
 #include "app/shots_panel.h"
 #include "params/param_text.h"
+#include "studio/shot_view.h"
 #include "studio/shots.h"
 
 namespace luminist {
@@ -46,11 +47,23 @@ void solve(Desk& desk, const std::vector<FrameChoice>& choices, bool judge) {
     if (session.has_proposal()) LUM_TRY_VOID(session.adopt());
     const auto watch = [studio, count = choices.size()](const SolveReport& report) {
       const bool solving = report.termination == Termination::kRunning;
-      return studio->progress(solving ? fmt::format("{} frames together: error {:.4f}, was {:.4f}; Esc stops", count,
+      return studio->progress(solving ? fmt::format("{} together: error {:.4f}, was {:.4f}; Esc stops", count,
                                                     report.error(), report.error_start())
-                                      : "judging the strokes of each frame; Esc stops");
+                                      : "judging the strokes; Esc stops");
     };
     return Shots(session).solve(choices, {}, judge, watch, look_of(studio, session));
+  });
+}
+
+bool several_cameras(const FrameFacts& facts) {
+  return std::ranges::any_of(facts.painted, [&](const PaintedFrame& each) { return each.at.camera != facts.camera; });
+}
+
+void go(const Desk& desk, const Vantage& present, const Vantage& at) {
+  if (at.camera == present.camera) return desk.studio->go_to(at.frame);
+  desk.studio->change("look through " + at.camera, [at](Session& session) -> Result<void> {
+    LUM_TRY_VOID(session.view().reframe(at.camera, session.shot().width, session.shot().height));
+    return session.go_to(at.frame);
   });
 }
 
@@ -58,23 +71,26 @@ void solve(Desk& desk, const std::vector<FrameChoice>& choices, bool judge) {
 
 void ShotsPanel::choice_row(Desk& desk, const FrameFacts& facts, const PaintedFrame& painted) {
   const Theme& theme = desk.theme;
-  Choice& choice = choices_[painted.frame];
-  ImGui::PushID(static_cast<int>(std::lround(painted.frame * 100.0)));
-  const std::string name = fmt::format("frame {}", number_text(painted.frame));
+  Choice& choice = choices_[painted.at];
+  const Vantage present{facts.camera, facts.frame};
+  const std::string name = vantage_text(painted.at, present);
+  ImGui::PushID(name.c_str());
   ImGui::Checkbox("##on", &choice.on);
-  tip(theme, "Whether the paint of this frame takes part.");
+  tip(theme, "Whether this paint takes part.");
   ImGui::SameLine(0.0F, theme.px(6.0F));
-  ImGui::PushStyleColor(ImGuiCol_Text, painted.frame == facts.frame ? paint_colors::kAccent : paint_colors::kText);
-  if (ImGui::Button(name.c_str(), {theme.px(76.0F), 0.0F})) desk.studio->go_to(painted.frame);
+  ImGui::PushStyleColor(ImGuiCol_Text, painted.at == present ? paint_colors::kAccent : paint_colors::kText);
+  if (ImGui::Button(name.c_str(), {theme.px(several_cameras(facts) ? 150.0F : 76.0F), 0.0F})) {
+    go(desk, present, painted.at);
+  }
   ImGui::PopStyleColor();
   tip(theme, fmt::format("{} stroke{}. Click to go there.", painted.strokes, painted.strokes == 1 ? "" : "s").c_str());
   ImGui::SameLine(0.0F, theme.px(6.0F));
   ImGui::SetNextItemWidth(theme.px(104.0F));
   ImGui::SliderFloat("##weight", &choice.weight, 0.1F, 10.0F, "weight %.2f",
                      ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
-  tip(theme, "How much the error of this frame counts among the others'. Ctrl+click to type a number.");
+  tip(theme, "How much the error of this picture counts among the others'. Ctrl+click to type a number.");
   const auto solved = std::find_if(facts.solved.begin(), facts.solved.end(),
-                                   [&](const SolvedFrame& each) { return each.frame == painted.frame; });
+                                   [&](const SolvedFrame& each) { return each.at == painted.at; });
   if (solved != facts.solved.end()) {
     ImGui::SameLine(0.0F, theme.px(10.0F));
     ImGui::AlignTextToFramePadding();
@@ -84,7 +100,7 @@ void ShotsPanel::choice_row(Desk& desk, const FrameFacts& facts, const PaintedFr
     ImGui::PopStyleColor();
     ImGui::SameLine(0.0F, theme.px(4.0F));
     ImGui::TextDisabled("was %.4f", solved->start);
-    tip(theme, "The error of this frame under the lights that were found, and before.");
+    tip(theme, "The error of this picture under the lights that were found, and before.");
     if (solved->verdict) {
       const auto [words, all] = verdict_words(*solved->verdict);
       ImGui::SameLine(0.0F, theme.px(10.0F));
@@ -100,11 +116,11 @@ void ShotsPanel::together(Desk& desk, const FrameFacts& facts) {
   const Theme& theme = desk.theme;
   if (facts.painted.size() < 2) {
     ImGui::PushStyleColor(ImGuiCol_Text, paint_colors::kDim);
-    ImGui::TextWrapped("%s",
-                       facts.painted.empty()
-                           ? "Paint on several frames; then one rig can be found for all of them."
-                           : "One frame is painted. Go to another one and paint there, too; then one rig can be found "
-                             "for both.");
+    ImGui::TextWrapped(
+        "%s", facts.painted.empty()
+                  ? "Paint on several frames, or through several cameras; then one rig can be found for all of them."
+                  : "One frame is painted. Paint another one, too, or look through another camera and paint "
+                    "there; then one rig can be found for both.");
     ImGui::PopStyleColor();
     return;
   }
@@ -113,25 +129,26 @@ void ShotsPanel::together(Desk& desk, const FrameFacts& facts) {
   ImGui::BeginChild("frames", {0.0F, ImGui::GetContentRegionAvail().y - bottom});
   for (const PaintedFrame& painted : facts.painted) {
     choice_row(desk, facts, painted);
-    const Choice& choice = choices_[painted.frame];
-    if (choice.on) chosen.push_back({painted.frame, static_cast<double>(choice.weight)});
+    const Choice& choice = choices_[painted.at];
+    if (choice.on) chosen.push_back({painted.at, static_cast<double>(choice.weight)});
   }
   ImGui::EndChild();
   const std::string obstacle = desk.now->free_dofs == 0 ? "everything is locked: free what may change"
-                               : chosen.size() < 2      ? "choose two frames at least"
+                               : chosen.size() < 2      ? "choose two at least"
                                                         : "";
   const bool ready = obstacle.empty();
   if (!ready) ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 0.4F * ImGui::GetStyle().Alpha);
-  const std::string label = fmt::format("Solve {} frames together", chosen.size());
+  const std::string label = fmt::format("Solve {} together", chosen.size());
   const bool clicked = ImGui::Button(label.c_str());
   if (!ready) ImGui::PopStyleVar();
   tip(theme,
-      "Finds one rig for what is painted on the chosen frames: the weighted mean of their errors. Accepting it answers "
+      "Finds one rig for what is painted on the chosen frames and cameras: the weighted mean of their errors. "
+      "Accepting it answers "
       "the paint of all. What has keys stays as they say. Takes a while.");
   if (clicked && ready) solve(desk, chosen, judge_);
   ImGui::SameLine();
   ImGui::Checkbox("judge the strokes", &judge_);
-  tip(theme, "Afterwards says of every stroke on every frame whether the lights make it. Takes seconds a frame.");
+  tip(theme, "Afterwards says of every stroke whether the lights make it. Takes seconds for each picture.");
   ImGui::SameLine();
   ImGui::AlignTextToFramePadding();
   if (!ready) {

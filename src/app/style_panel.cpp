@@ -30,11 +30,11 @@ void restyle(const Desk& desk, const std::string& name) {
   desk.studio->change("compile the style " + name, [name](Session& session) { return session.restyle(name); });
 }
 
-/// What another camera or size costs.
+/// What another size costs.
 void say_what_goes(const Desk& desk) {
   if (!desk.now->any_paint) return;
   ImGui::PushStyleColor(ImGuiCol_Text, paint_colors::kWarn);
-  ImGui::TextUnformatted("The paint goes with the picture; undo brings both back.");
+  ImGui::TextUnformatted("The paint of every camera goes with the size; undo brings both back.");
   ImGui::PopStyleColor();
   ImGui::Separator();
 }
@@ -62,10 +62,11 @@ std::string camera_of(const ShotFacts& facts) {
 void camera_choices(Desk& desk) {
   const ShotFacts& facts = *desk.now->facts;
   const std::string now = camera_of(facts);
-  say_what_goes(desk);
   for (const std::string& camera : facts.cameras) {
     if (ImGui::Selectable(camera.c_str(), camera == now)) reframe(desk, camera, facts.shot.width, facts.shot.height);
-    tip(desk.theme, "Look through this camera.");
+    tip(desk.theme,
+        "Look through this camera. What is painted stays with the camera that it is painted through; "
+        "View > Frames and keys > Solve together finds one rig for all.");
   }
 }
 

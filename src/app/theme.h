@@ -4,7 +4,14 @@
 
 #include <string>
 
+#include "base/math.h"
+
 namespace luminist {
+
+/// A place of the screen, as ImGui takes it.
+inline ImVec2 im(const Vec2& v) {
+  return {v.x, v.y};
+}
 
 struct Theme {
   float scale = 1.0F;  ///< of the display: 1 at 96 dots an inch

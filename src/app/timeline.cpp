@@ -4,13 +4,6 @@
 #include <cmath>
 
 namespace luminist {
-namespace {
-
-std::string path_of(const std::string& light) {
-  return light.empty() ? "ambient" : "lights/" + light;
-}
-
-}  // namespace
 
 std::vector<KeyRow> key_rows(const LightRig& rig, const std::string& selected) {
   std::vector<KeyRow> rows;
@@ -19,10 +12,10 @@ std::vector<KeyRow> key_rows(const LightRig& rig, const std::string& selected) {
     if (name.empty()) continue;
     if (!selected.empty()) {
       if (track.light != (selected == "ambient" ? "" : selected)) continue;
-      rows.push_back({name, path_of(track.light) + "/" + name, track.keys});
+      rows.push_back({name, light_path(track.light) + "/" + name, track.keys});
       continue;
     }
-    const std::string pattern = path_of(track.light);
+    const std::string pattern = light_path(track.light);
     auto row = std::find_if(rows.begin(), rows.end(), [&](const KeyRow& each) { return each.pattern == pattern; });
     if (row == rows.end()) {
       row = rows.insert(rows.end(), {track.light.empty() ? "ambient" : track.light, pattern, {}});

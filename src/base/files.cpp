@@ -14,6 +14,8 @@
 
 #include <fmt/format.h>
 
+#include "base/descriptor.h"
+
 namespace luminist {
 namespace {
 
@@ -23,28 +25,6 @@ Error unwritable(const fs::path& path, const char* doing, int error_number) {
   return {ErrorKind::kUnwritable, fmt::format("cannot {}: {}", doing, std::strerror(error_number)), path.string(), "",
           "choose another place, or free some space"};
 }
-
-/// A file descriptor that closes itself.
-class Descriptor {
- public:
-  explicit Descriptor(int fd) : fd_(fd) {}
-  ~Descriptor() {
-    if (fd_ >= 0) ::close(fd_);
-  }
-  Descriptor(const Descriptor&) = delete;
-  Descriptor& operator=(const Descriptor&) = delete;
-  [[nodiscard]] int get() const { return fd_; }
-  [[nodiscard]] bool ok() const { return fd_ >= 0; }
-  /// Closes now and tells whether the system accepted everything that was written.
-  int close_now() {
-    const int status = ::close(fd_);
-    fd_ = -1;
-    return status;
-  }
-
- private:
-  int fd_;
-};
 
 Result<void> write_all(Descriptor& file, std::string_view bytes, const fs::path& path) {
   while (!bytes.empty()) {
@@ -63,7 +43,7 @@ Result<void> write_all(Descriptor& file, std::string_view bytes, const fs::path&
 Result<std::string> read_file(const fs::path& path) {
   // O_NONBLOCK lets a FIFO be opened without waiting for a writer, so that it can be refused.
   Descriptor file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK));
-  if (!file.ok()) {
+  if (!file.open()) {
     return Error{ErrorKind::kMissing, fmt::format("cannot read: {}", std::strerror(errno)), path.string(), "", ""};
   }
   struct stat status {};
@@ -92,7 +72,7 @@ Result<void> write_file_atomic(const fs::path& path, std::string_view bytes) {
   Result<void> written;
   {
     Descriptor file(::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0644));
-    if (!file.ok()) return unwritable(path, "create", errno);
+    if (!file.open()) return unwritable(path, "create", errno);
     written = write_all(file, bytes, path);
   }
   if (written && ::rename(temporary.c_str(), path.c_str()) != 0) written = unwritable(path, "rename", errno);
@@ -101,7 +81,7 @@ Result<void> write_file_atomic(const fs::path& path, std::string_view bytes) {
     return written;
   }
   Descriptor directory(::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC));
-  if (directory.ok()) ::fsync(directory.get());  // some file systems refuse to sync a folder; the rename stands
+  if (directory.open()) ::fsync(directory.get());  // some file systems refuse to sync a folder; the rename stands
   return {};
 }
 

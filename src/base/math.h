@@ -20,6 +20,7 @@ using Mat3 = glm::mat3;
 using Mat4 = glm::mat4;
 
 inline constexpr double kPi = 3.14159265358979323846;
+inline constexpr float kPiF = static_cast<float>(kPi);
 
 /// Axis-aligned box in world space; empty until the first extend().
 struct Box {
@@ -29,6 +30,10 @@ struct Box {
   [[nodiscard]] bool empty() const { return !(lo.x <= hi.x); }
   void extend(const Vec3& p) { lo = glm::min(lo, p), hi = glm::max(hi, p); }
   [[nodiscard]] Vec3 center() const { return 0.5F * (lo + hi); }
+  /// Of its eight corners; index 0 to 7.
+  [[nodiscard]] Vec3 corner(int index) const {
+    return Vec3((index & 1) != 0 ? hi.x : lo.x, (index & 2) != 0 ? hi.y : lo.y, (index & 4) != 0 ? hi.z : lo.z);
+  }
   [[nodiscard]] float radius() const { return empty() ? 0.0F : 0.5F * glm::length(hi - lo); }
 };
 
@@ -37,6 +42,21 @@ struct SceneFrame {
   Vec3 center{0.0F};
   float radius = 1.0F;  ///< half the diagonal of the bounds, > 0
 };
+
+/// v at length 1; `otherwise` where it has next to no length.
+inline Vec3 unit_or(const Vec3& v, const Vec3& otherwise) {
+  const float length = glm::length(v);
+  return length > 1e-6F ? v / length : otherwise;
+}
+
+/// The mean of the three channels.
+inline float brightness(const Vec3& color) {
+  return (color.x + color.y + color.z) / 3.0F;
+}
+
+inline float largest(const Vec3& v) {
+  return std::max({v.x, v.y, v.z});
+}
 
 inline bool is_finite(const Vec3& v) {
   return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);

@@ -17,40 +17,14 @@
 
 #include <fmt/format.h>
 
+#include "base/descriptor.h"
+
 namespace luminist {
 namespace {
 
 using Clock = std::chrono::steady_clock;
 constexpr std::size_t kChunk = 1U << 18U;
 constexpr std::size_t kKeptErrors = 1U << 14U;
-
-/// A file descriptor that closes itself. It is never 0, 1 or 2, so that the child's own can be laid over it.
-class Descriptor {
- public:
-  Descriptor() = default;
-  explicit Descriptor(int fd) : fd_(fd) {
-    if (fd_ >= 0 && fd_ <= STDERR_FILENO) {
-      const int higher = ::fcntl(fd_, F_DUPFD_CLOEXEC, STDERR_FILENO + 1);
-      ::close(fd_);
-      fd_ = higher;
-    }
-  }
-  ~Descriptor() { reset(); }
-  Descriptor(Descriptor&& other) noexcept : fd_(std::exchange(other.fd_, -1)) {}
-  Descriptor& operator=(Descriptor&& other) noexcept {
-    reset();
-    fd_ = std::exchange(other.fd_, -1);
-    return *this;
-  }
-  [[nodiscard]] int get() const { return fd_; }
-  [[nodiscard]] bool open() const { return fd_ >= 0; }
-  void reset() {
-    if (fd_ >= 0) ::close(std::exchange(fd_, -1));
-  }
-
- private:
-  int fd_ = -1;
-};
 
 struct Child {
   pid_t pid = -1;

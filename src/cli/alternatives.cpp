@@ -11,7 +11,7 @@
 namespace luminist {
 namespace {
 
-struct Words {
+struct AlternativesWords {
   ShotWords shot;
   PaintWords paint;
   LockWords locks;
@@ -21,7 +21,7 @@ struct Words {
   bool json = false;
 };
 
-void print_report(Console& console, const Alternatives& found, const Words& words) {
+void print_report(Console& console, const Alternatives& found, const AlternativesWords& words) {
   if (console.json()) {
     console.result(alternatives_to_json(found).dump());
     return;
@@ -36,7 +36,7 @@ void print_report(Console& console, const Alternatives& found, const Words& word
   console.result(words.output + "/contact_sheet.png");
 }
 
-Result<int> alternatives(const Words& words, VerbContext& context) {
+Result<int> alternatives(const AlternativesWords& words, VerbContext& context) {
   LUM_TRY_VOID(check_paint_words(words.paint));
   LUM_TRY(const Shot shot, shot_from(words.shot));
   LUM_TRY_VOID(check_folder_output(words.output));
@@ -58,7 +58,7 @@ Result<int> alternatives(const Words& words, VerbContext& context) {
 }  // namespace
 
 Verb declare_alternatives(CLI::App& app) {
-  const auto words = std::make_shared<Words>();  // the parser and the returned function both use it
+  const auto words = std::make_shared<AlternativesWords>();  // the parser and the returned function both use it
   declare_shot(app, words->shot);
   declare_paint_words(app, words->paint);
   declare_lock_words(app, words->locks);

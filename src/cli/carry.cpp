@@ -11,7 +11,7 @@
 namespace luminist {
 namespace {
 
-struct Words {
+struct CarryWords {
   ShotWords view;
   std::string strokes;
   std::optional<double> to_frame;
@@ -20,7 +20,7 @@ struct Words {
   bool json = false;
 };
 
-Result<int> carry(const Words& words, VerbContext& context) {
+Result<int> carry(const CarryWords& words, VerbContext& context) {
   LUM_TRY(const Shot from, shot_from(words.view));
   if (!words.to_frame && !words.to_camera) {
     return Error{ErrorKind::kUsage, "to which frame or camera", "", "--to-frame", "give --to-frame or --to-camera"};
@@ -63,7 +63,7 @@ Result<int> carry(const Words& words, VerbContext& context) {
 }  // namespace
 
 Verb declare_carry(CLI::App& app) {
-  const auto words = std::make_shared<Words>();  // the parser and the returned function both use it
+  const auto words = std::make_shared<CarryWords>();  // the parser and the returned function both use it
   declare_view(app, words->view);
   app.add_option("--paint", words->strokes, "Stroke file (JSON), of this frame and camera")->required();
   app.add_option("--to-frame", words->to_frame, "The frame that the strokes are for (default: the same)");

@@ -11,7 +11,7 @@
 namespace luminist {
 namespace {
 
-struct Words {
+struct DietWords {
   ShotWords shot;
   LockWords locks;
   std::string budget = "5%";
@@ -29,7 +29,7 @@ void print_report(Console& console, const Diet& diet) {
   for (std::size_t i = 0; i < diet.steps.size(); ++i) console.result(diet_line(diet, i));
 }
 
-Result<int> diet(const Words& words, VerbContext& context) {
+Result<int> diet(const DietWords& words, VerbContext& context) {
   DietOptions options = words.options;
   LUM_TRY(options.budget, parse_budget(words.budget));
   LUM_TRY(const Shot shot, shot_from(words.shot));
@@ -54,7 +54,7 @@ Result<int> diet(const Words& words, VerbContext& context) {
 }  // namespace
 
 Verb declare_diet(CLI::App& app) {
-  const auto words = std::make_shared<Words>();  // the parser and the returned function both use it
+  const auto words = std::make_shared<DietWords>();  // the parser and the returned function both use it
   declare_shot(app, words->shot);
   declare_lock_words(app, words->locks);
   app.add_option("--budget", words->budget,

@@ -14,7 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-struct Words {
+struct FarmWords {
   ShotWords shot;
   std::string frames;
   std::string output;
@@ -24,7 +24,7 @@ struct Words {
 };
 
 /// The words of `render` again, with paths that hold on other machines of the same file system.
-Result<std::vector<std::string>> render_words(const Words& words, const Shot& shot, const AssetRoots& roots) {
+Result<std::vector<std::string>> render_words(const FarmWords& words, const Shot& shot, const AssetRoots& roots) {
   LUM_TRY(const std::string scene, find_input(shot.scene, ".", roots));
   std::vector<std::string> list{fs::absolute(scene).string()};
   const auto add = [&](const char* option, const std::string& value) {
@@ -47,7 +47,7 @@ Result<std::vector<std::string>> render_words(const Words& words, const Shot& sh
   return list;
 }
 
-Result<int> farm(const Words& words, VerbContext& context) {
+Result<int> farm(const FarmWords& words, VerbContext& context) {
   LUM_TRY(const Shot shot, shot_from(words.shot));
   FarmJob job;
   LUM_TRY(job.range, FrameRange::parse(words.frames));
@@ -73,7 +73,7 @@ Result<int> farm(const Words& words, VerbContext& context) {
 }  // namespace
 
 Verb declare_farm(CLI::App& app) {
-  const auto words = std::make_shared<Words>();  // the parser and the returned function both use it
+  const auto words = std::make_shared<FarmWords>();  // the parser and the returned function both use it
   declare_shot(app, words->shot);
   app.add_option("--frames", words->frames, "The sequence, as 0-47 or 0-47x2")->required();
   app.add_option("-o,--output", words->output, "Pictures: .exr or .png, the number for ####")->required();

@@ -11,7 +11,7 @@
 namespace luminist {
 namespace {
 
-struct Words {
+struct GoldenWords {
   std::string style;
   std::string output;
   std::vector<std::string> cases;
@@ -54,7 +54,7 @@ Result<std::vector<GoldenCase>> chosen(const Style& style, const std::vector<std
   return cases;
 }
 
-Result<int> golden(const Words& words, VerbContext& context) {
+Result<int> golden(const GoldenWords& words, VerbContext& context) {
   const StylePlace place = place_of(words.style, context.roots);
   const std::string output = words.output.empty() ? "out/golden/" + place.name : words.output;
   LUM_TRY(const Style style, load_style(place.roots, place.name));
@@ -89,7 +89,7 @@ Result<int> golden(const Words& words, VerbContext& context) {
 }  // namespace
 
 Verb declare_golden(CLI::App& app) {
-  const auto words = std::make_shared<Words>();  // the parser and the returned function both use it
+  const auto words = std::make_shared<GoldenWords>();  // the parser and the returned function both use it
   app.add_option("STYLE", words->style, "A style's folder, as styles/toon")->required();
   app.add_flag("--update", words->update, "Makes the new pictures the references of the cases that differ");
   app.add_option("--case", words->cases, "Only the case of that name; may be repeated");

@@ -64,7 +64,7 @@ Result<nlohmann::ordered_json> scene_facts(const std::string& wanted, VerbContex
   return all;
 }
 
-struct Words {
+struct InfoWords {
   std::string scene;
   bool json = false;
 };
@@ -77,7 +77,7 @@ std::string text_of(const nlohmann::ordered_json& json) {
 }  // namespace
 
 Verb declare_info(CLI::App& app) {
-  const auto words = std::make_shared<Words>();  // the parser and the returned function both use it
+  const auto words = std::make_shared<InfoWords>();  // the parser and the returned function both use it
   app.add_option("SCENE", words->scene, "Tells what is in a scene, in place of what this machine has");
   app.add_flag("--json", words->json, "Prints one object");
   app.footer("Examples:\n  luminist info --json\n  luminist info meshes/still_life/still_life.glb");

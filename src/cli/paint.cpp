@@ -10,7 +10,7 @@
 namespace luminist {
 namespace {
 
-struct Words {
+struct PaintingWords {
   ShotWords shot;
   std::string strokes;
   std::string output;
@@ -22,7 +22,7 @@ std::string importance_path(const std::string& target) {
   return (path.parent_path() / (path.stem().string() + ".importance.exr")).string();
 }
 
-Result<int> paint(const Words& words, VerbContext& context) {
+Result<int> paint(const PaintingWords& words, VerbContext& context) {
   LUM_TRY(const Shot shot, shot_from(words.shot));
   LUM_TRY_VOID(check_image_output(words.output));
   LUM_TRY(const std::string path, find_input(words.strokes, ".", context.roots));
@@ -47,7 +47,7 @@ Result<int> paint(const Words& words, VerbContext& context) {
 }  // namespace
 
 Verb declare_paint(CLI::App& app) {
-  const auto words = std::make_shared<Words>();  // the parser and the returned function both use it
+  const auto words = std::make_shared<PaintingWords>();  // the parser and the returned function both use it
   declare_shot(app, words->shot);
   app.add_option("STROKES", words->strokes, "Stroke file (JSON)")->required();
   app.add_option("-o,--output", words->output, "Target: .exr or .png; the importance map is written beside it, as EXR")

@@ -17,7 +17,7 @@
 namespace luminist {
 namespace {
 
-struct Words {
+struct PrepWords {
   std::string scene;
   std::string output;
   std::string drawing;
@@ -122,7 +122,7 @@ std::string name_of(const Scene& scene, std::size_t mesh) {
 }
 
 /// Gives a mesh without texture coordinates its atlas, and says and draws what came of it.
-Result<void> unwrap_mesh(const Words& words, std::size_t index, Scene& scene, Json& json, std::string& text) {
+Result<void> unwrap_mesh(const PrepWords& words, std::size_t index, Scene& scene, Json& json, std::string& text) {
   constexpr int kDrawing = 2048;  // pixels a side
   const auto start = std::chrono::steady_clock::now();
   Unwrapped unwrapped = unwrap(scene.meshes[index]);
@@ -138,7 +138,7 @@ Result<void> unwrap_mesh(const Words& words, std::size_t index, Scene& scene, Js
   return {};
 }
 
-Result<void> check_words(const Words& words) {
+Result<void> check_words(const PrepWords& words) {
   if (!words.output.empty() && !words.output.ends_with(".glb")) {
     return Error{ErrorKind::kUsage, fmt::format("\"{}\" is no place for a scene", words.output), "", "--output",
                  "give a file that ends in .glb"};
@@ -150,7 +150,7 @@ Result<void> check_words(const Words& words) {
   return {};
 }
 
-Result<int> prep(const Words& words, VerbContext& context) {
+Result<int> prep(const PrepWords& words, VerbContext& context) {
   LUM_TRY_VOID(check_words(words));
   LUM_TRY(const std::string path, find_input(words.scene, ".", context.roots));
   Diagnostics diagnostics;
@@ -181,7 +181,7 @@ Result<int> prep(const Words& words, VerbContext& context) {
 }  // namespace
 
 Verb declare_prep(CLI::App& app) {
-  const auto words = std::make_shared<Words>();  // the parser and the returned function both use it
+  const auto words = std::make_shared<PrepWords>();  // the parser and the returned function both use it
   app.add_option("SCENE", words->scene, "glTF (.gltf, .glb), .obj, .ply, .stl or .off")->required();
   app.add_option("-o,--output", words->output, "Repaired scene, .glb");
   app.add_flag("--unwrap", words->unwrap,

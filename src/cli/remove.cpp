@@ -11,7 +11,7 @@
 namespace luminist {
 namespace {
 
-struct Words {
+struct RemoveWords {
   ShotWords shot;
   std::string light;
   LockWords locks;
@@ -31,7 +31,7 @@ void print_report(Console& console, const RemovalFacts& facts, const SolveReport
                              facts.shadows_matter() ? ", which other lights hardly make up for" : ""));
 }
 
-Result<int> remove(const Words& words, VerbContext& context) {
+Result<int> remove(const RemoveWords& words, VerbContext& context) {
   LUM_TRY(const Shot shot, shot_from(words.shot));
   LUM_TRY_VOID(check_folder_output(words.output));
   LUM_TRY(Device device, Device::create_headless());
@@ -59,7 +59,7 @@ Result<int> remove(const Words& words, VerbContext& context) {
 }  // namespace
 
 Verb declare_remove(CLI::App& app) {
-  const auto words = std::make_shared<Words>();  // the parser and the returned function both use it
+  const auto words = std::make_shared<RemoveWords>();  // the parser and the returned function both use it
   declare_shot(app, words->shot);
   app.add_option("LIGHT", words->light, "Name of the light that goes")->required();
   declare_lock_words(app, words->locks);

@@ -19,7 +19,7 @@
 namespace luminist {
 namespace {
 
-struct Words {
+struct RenderWords {
   ShotWords shot;
   std::string output;
   bool watch = false;
@@ -32,7 +32,7 @@ struct Words {
 
 /// Renders again whenever a file of the style is written, until a signal ends it; a version with a mistake is reported,
 /// and the last good picture stays.
-int watch(const Words& words, Stage& stage, ParamState state, StyleFiles files, VerbContext& context) {
+int watch(const RenderWords& words, Stage& stage, ParamState state, StyleFiles files, VerbContext& context) {
   const StopSignals::Grace grace(context.signals);
   context.console.progress("watching " + stage.style.folder);
   while (context.signals.stopped() == 0) {
@@ -55,7 +55,7 @@ int watch(const Words& words, Stage& stage, ParamState state, StyleFiles files, 
 }
 
 /// Frame after frame; what is there already, whole and of the same lights, is left as it is.
-Result<int> render_frames(const Words& words, const Shot& shot, VerbContext& context) {
+Result<int> render_frames(const RenderWords& words, const Shot& shot, VerbContext& context) {
   LUM_TRY(const FrameRange range, FrameRange::parse(words.frames));
   const Sequence sequence{shot, range.frames(), words.output, words.shot.link, words.shot.constrain, words.again};
   LUM_TRY(Device device, Device::create_headless());
@@ -82,7 +82,7 @@ Result<int> render_frames(const Words& words, const Shot& shot, VerbContext& con
   return 0;
 }
 
-Result<int> render(const Words& words, VerbContext& context) {
+Result<int> render(const RenderWords& words, VerbContext& context) {
   LUM_TRY(const Shot shot, shot_from(words.shot));
   LUM_TRY_VOID(check_image_output(words.output));
   if (words.watch && !words.frames.empty()) {
@@ -127,7 +127,7 @@ Result<int> render(const Words& words, VerbContext& context) {
 }  // namespace
 
 Verb declare_render(CLI::App& app) {
-  const auto words = std::make_shared<Words>();  // the parser and the returned function both use it
+  const auto words = std::make_shared<RenderWords>();  // the parser and the returned function both use it
   declare_shot(app, words->shot);
   app.add_option("-o,--output", words->output, "Picture: .exr (linear) or .png")->required();
   app.add_flag("--watch", words->watch, "Renders again whenever the style's files are written, until Ctrl-C");

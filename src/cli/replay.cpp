@@ -10,7 +10,7 @@
 namespace luminist {
 namespace {
 
-struct Words {
+struct ReplayWords {
   std::string log;
   std::string output = ".";
   bool json = false;
@@ -48,7 +48,7 @@ void print_live(Console& console, const LiveMeasure& measure) {
       in_ms(measure.settled_95), measure.settled, measure.error_before, measure.error_event, measure.error));
 }
 
-Result<int> replay(const Words& words, VerbContext& context) {
+Result<int> replay(const ReplayWords& words, VerbContext& context) {
   Console& console = context.console;
   LUM_TRY(const std::string path, find_input(words.log, ".", context.roots));
   LUM_TRY_VOID(check_folder_output(words.output));
@@ -92,7 +92,7 @@ Result<int> replay(const Words& words, VerbContext& context) {
 }  // namespace
 
 Verb declare_replay(CLI::App& app) {
-  const auto words = std::make_shared<Words>();  // the parser and the returned function both use it
+  const auto words = std::make_shared<ReplayWords>();  // the parser and the returned function both use it
   app.add_option("LOG", words->log, "Action script (JSON lines), or a project: NAME.lum or its log.jsonl")->required();
   app.add_option("-o,--output", words->output, "Folder for everything that is written (default: here)");
   app.add_flag("--json", words->json, "Prints one object for each solve");

@@ -14,7 +14,7 @@
 namespace luminist {
 namespace {
 
-constexpr int kCells = 256;
+constexpr int kSearchCells = 256;
 constexpr int kTriesEach = 8;
 constexpr double kPromising = 6.0;  // times the limit: worth freeing what was held
 
@@ -84,7 +84,7 @@ Result<Alternatives> find_alternatives(Renderer& renderer, const ParamState& sta
   const double black = black_error(target);
   WatchedSolves solves(renderer, target, watch, 1 + 2 * tries);
   LUM_TRY(Outcome first, solves.run(start, {.seed = options.seed}, "the painting"));
-  const SampleCells cells = CellSampler(renderer.surface(), target, solves.edges()).cut(kCells, 1, options.seed);
+  const SampleCells cells = CellSampler(renderer.surface(), target, solves.edges()).cut(kSearchCells, 1, options.seed);
   const Vec3 focus = focus_of(cells, renderer.frame());
   OtherStarts starts(first.state, cells, renderer.frame(), focus, options.seed);
   double best = first.report.epsilon;

@@ -11,7 +11,7 @@
 namespace luminist {
 namespace {
 
-constexpr int kCells = 400;
+constexpr int kDistanceCells = 400;
 constexpr int kShadowRays = 2;
 constexpr double kNever = 1e9;  // cost of a pair of lights of two types
 
@@ -61,7 +61,7 @@ double look_distance(const std::vector<LightLook>& a, const std::vector<LightLoo
 LightEye::LightEye(Renderer& renderer, const Vec3& focus) : renderer_(&renderer), focus_(focus) {
   const SurfaceBuffer& surface = renderer.surface();
   const Target everywhere = kept_picture(Image(surface.width, surface.height, 3));
-  cells_ = CellSampler(surface, everywhere).cut(kCells, 1, 1);
+  cells_ = CellSampler(surface, everywhere).cut(kDistanceCells, 1, 1);
 }
 
 Result<std::vector<LightLook>> LightEye::look(const ParamState& state) {

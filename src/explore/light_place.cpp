@@ -12,11 +12,6 @@ namespace {
 constexpr double kOctaveShare = 0.125;
 const Vec3 kDown(0.0F, -1.0F, 0.0F);
 
-Vec3 unit_or(const Vec3& v, const Vec3& otherwise) {
-  const float length = glm::length(v);
-  return length > 0.0F && std::isfinite(length) ? v / length : otherwise;
-}
-
 }  // namespace
 
 std::optional<LightPlace> light_place(const Light& light, const Vec3& seen_from) {

@@ -113,6 +113,10 @@ void ParamBlock::set_vec3(int param, const Vec3& value) {
   for (int c = 0; c < 3; ++c) set(param, c, static_cast<double>(value[c]));
 }
 
+int ParamBlock::locks() const {
+  return static_cast<int>(std::ranges::count(locked_, true));
+}
+
 void ParamBlock::set_param_locked(int param, bool locked) {
   if (param < 0) {
     locked_.assign(locked_.size(), locked);

@@ -51,6 +51,7 @@ class ParamBlock {
   [[nodiscard]] bool locked(int dof) const { return locked_by_hand(dof) || following(dof); }
   [[nodiscard]] bool locked_by_hand(int dof) const { return locked_[static_cast<std::size_t>(dof)]; }
   [[nodiscard]] bool following(int dof) const { return following_[static_cast<std::size_t>(dof)]; }
+  [[nodiscard]] int locks() const;  ///< how many are locked by hand
   void set_locked(int dof, bool locked) { locked_[static_cast<std::size_t>(dof)] = locked; }
   /// Locks or unlocks every degree of freedom of one parameter, or of all with param < 0.
   void set_param_locked(int param, bool locked);

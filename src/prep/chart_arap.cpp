@@ -32,10 +32,10 @@ Flat flat_of(const Disc& disc, const std::array<std::uint32_t, 3>& t) {
   return flat;
 }
 
-using Corners = std::array<std::complex<double>, 3>;
+using FlatCorners = std::array<std::complex<double>, 3>;
 
 /// The similarity that best carries the triangle to where its corners are.
-std::complex<double> similarity_of(const Flat& flat, const Corners& at) {
+std::complex<double> similarity_of(const Flat& flat, const FlatCorners& at) {
   std::complex<double> sum = 0.0;
   double size = 0.0;
   for (std::size_t k = 0; k < 3; ++k) {
@@ -83,7 +83,7 @@ class PiecedTriangles {
     std::vector<std::complex<double>> result;
     for (std::size_t f = 0; f < flats_.size(); ++f) {
       const auto& t = disc_->triangles[f];
-      Corners corners;
+      FlatCorners corners;
       for (std::size_t k = 0; k < 3; ++k) corners[k] = {at_(t[k], 0), at_(t[k], 1)};
       result.push_back(similarity_of(flats_[f], corners));
     }

@@ -25,11 +25,11 @@ std::vector<std::uint32_t> bad_points(const Disc& disc, const std::vector<glm::d
   return bad;
 }
 
-using Neighbours = std::vector<std::vector<std::uint32_t>>;
+using PointNeighbours = std::vector<std::vector<std::uint32_t>>;
 
 /// An inner neighbour is there twice, for each point alike; those along the border once.
-Neighbours neighbours_of(const Disc& disc) {
-  Neighbours around(disc.points.size());
+PointNeighbours neighbours_of(const Disc& disc) {
+  PointNeighbours around(disc.points.size());
   for (const auto& t : disc.triangles) {
     for (std::size_t k = 0; k < 3; ++k) {
       around[t[k]].push_back(t[(k + 1) % 3]), around[t[k]].push_back(t[(k + 2) % 3]);
@@ -38,7 +38,7 @@ Neighbours neighbours_of(const Disc& disc) {
   return around;
 }
 
-void grow(std::vector<std::uint32_t>& points, const Neighbours& around) {
+void grow(std::vector<std::uint32_t>& points, const PointNeighbours& around) {
   std::vector<std::uint32_t> grown = points;
   for (const std::uint32_t p : points) grown.insert(grown.end(), around[p].begin(), around[p].end());
   std::ranges::sort(grown);
@@ -56,7 +56,7 @@ bool mend(const Disc& disc, std::vector<glm::dvec2>& places) {
   std::vector<std::uint32_t> bad = bad_points(disc, places);
   if (bad.empty()) return true;
   if (bad.size() > most) return false;
-  const Neighbours around = neighbours_of(disc);
+  const PointNeighbours around = neighbours_of(disc);
   for (int round = 0; round < kRounds; ++round) {
     for (int ring = 0; ring < round / 2; ++ring) grow(bad, around);
     for (int sweep = 0; sweep < kSweeps; ++sweep) {

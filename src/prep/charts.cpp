@@ -15,8 +15,6 @@
 namespace luminist {
 namespace {
 
-constexpr std::uint32_t kNone = SurfaceSides::kNone;
-
 /// Sums over triangles by which a region is judged.
 struct Moments {
   double area = 0.0;
@@ -69,7 +67,7 @@ class Merging {
  public:
   Merging(const SurfaceSides& sides, const Region& triangles, const std::vector<glm::dvec2>& features)
       : sides_(&sides), triangles_(&triangles), region_(triangles.size()), alive_(triangles.size()) {
-    std::vector<std::uint32_t> local(sides.areas.size(), kNone);
+    std::vector<std::uint32_t> local(sides.areas.size(), SurfaceSides::kNone);
     for (std::uint32_t i = 0; i < triangles.size(); ++i) local[triangles[i]] = i;
     moments_.resize(triangles.size()), borders_.resize(triangles.size()), version_.resize(triangles.size(), 0);
     for (std::uint32_t i = 0; i < triangles.size(); ++i) {
@@ -118,7 +116,7 @@ class Merging {
       const std::uint32_t side = 3 * f + k;
       m.perimeter += sides_->lengths[side];
       const std::uint32_t other = sides_->across[side];
-      if (other == kNone || local[other / 3] == kNone) continue;
+      if (other == SurfaceSides::kNone || local[other / 3] == SurfaceSides::kNone) continue;
       const double turn = sides_->turns[side] * sides_->lengths[side];
       const Border border{local[other / 3], sides_->lengths[side], std::abs(turn), std::max(-turn, 0.0), 1};
       insert(borders_[i], border);
@@ -201,16 +199,16 @@ void straighten(const SurfaceSides& sides, std::vector<std::uint32_t>& label, do
   for (int pass = 0; pass < kPasses; ++pass) {
     bool changed = false;
     for (std::uint32_t f = 0; f < label.size(); ++f) {
-      std::array<std::uint32_t, 3> around{kNone, kNone, kNone};
+      std::array<std::uint32_t, 3> around{SurfaceSides::kNone, SurfaceSides::kNone, SurfaceSides::kNone};
       for (std::uint32_t k = 0; k < 3; ++k) {
         const std::uint32_t other = sides.across[3 * f + k];
-        if (other != kNone) around[k] = label[other / 3];
+        if (other != SurfaceSides::kNone) around[k] = label[other / 3];
       }
       if (std::ranges::count(around, label[f]) != 1) continue;
       const auto own = static_cast<std::uint32_t>(std::ranges::find(around, label[f]) - around.begin());
       const std::uint32_t left = (own + 1) % 3;
       const std::uint32_t right = (own + 2) % 3;
-      if (around[left] != around[right] || around[left] == kNone) continue;
+      if (around[left] != around[right] || around[left] == SurfaceSides::kNone) continue;
       if (std::max(std::abs(sides.turns[3 * f + left]), std::abs(sides.turns[3 * f + right])) > crease) continue;
       const double before = cut_length(sides, 3 * f + left) + cut_length(sides, 3 * f + right);
       if (cut_length(sides, 3 * f + own) >= before) continue;
@@ -222,11 +220,11 @@ void straighten(const SurfaceSides& sides, std::vector<std::uint32_t>& label, do
 }
 
 std::vector<Region> regions_of(const std::vector<std::uint32_t>& label) {
-  std::vector<std::uint32_t> number(label.size(), kNone);
+  std::vector<std::uint32_t> number(label.size(), SurfaceSides::kNone);
   std::vector<Region> regions;
   for (std::uint32_t f = 0; f < label.size(); ++f) {
     std::uint32_t& at = number[label[f]];
-    if (at == kNone) at = static_cast<std::uint32_t>(regions.size()), regions.emplace_back();
+    if (at == SurfaceSides::kNone) at = static_cast<std::uint32_t>(regions.size()), regions.emplace_back();
     regions[at].push_back(f);
   }
   return regions;

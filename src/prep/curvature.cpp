@@ -6,9 +6,9 @@
 namespace luminist {
 namespace {
 
-using Corners = std::array<glm::dvec3, 3>;
+using TriangleCorners = std::array<glm::dvec3, 3>;
 
-Corners corners_of(const WeldedMesh& surface, std::size_t f) {
+TriangleCorners corners_of(const WeldedMesh& surface, std::size_t f) {
   const auto& t = surface.triangles[f];
   return {glm::dvec3(surface.positions[t[0]]), glm::dvec3(surface.positions[t[1]]),
           glm::dvec3(surface.positions[t[2]])};
@@ -36,7 +36,7 @@ std::vector<glm::dvec3> normals_of(const WeldedMesh& surface, const SurfaceSides
 }
 
 /// The second fundamental form of a triangle in its frame (uu, uv, vv), from the normals of its corners.
-Eigen::Vector3d form_of(const Corners& p, const Corners& n, const TangentFrame& frame) {
+Eigen::Vector3d form_of(const TriangleCorners& p, const TriangleCorners& n, const TangentFrame& frame) {
   Eigen::Matrix3d system = Eigen::Matrix3d::Zero();
   Eigen::Vector3d right = Eigen::Vector3d::Zero();
   for (std::size_t k = 0; k < 3; ++k) {
@@ -63,7 +63,7 @@ Curvature curvature_of(const WeldedMesh& surface, const SurfaceSides& sides) {
   std::vector<double> weights(positions, 0.0);
   for (std::size_t f = 0; f < surface.triangles.size(); ++f) {
     const auto& t = surface.triangles[f];
-    const Corners n{result.normals[t[0]], result.normals[t[1]], result.normals[t[2]]};
+    const TriangleCorners n{result.normals[t[0]], result.normals[t[1]], result.normals[t[2]]};
     const TangentFrame frame = tangent_frame_of(sides.normals[f]);
     const Eigen::Vector3d form = form_of(corners_of(surface, f), n, frame);
     for (std::size_t k = 0; k < 3; ++k) {

@@ -28,7 +28,7 @@ std::vector<glm::dvec2> as_vectors(const Features& features) {
 }
 
 /// The triangles beside each one of a disc.
-std::vector<std::vector<std::uint32_t>> neighbours_of(const Disc& disc) {
+std::vector<std::vector<std::uint32_t>> beside_each(const Disc& disc) {
   std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> first;
   std::vector<std::vector<std::uint32_t>> neighbours(disc.triangles.size());
   for (std::uint32_t f = 0; f < disc.triangles.size(); ++f) {
@@ -50,7 +50,7 @@ std::vector<double> angles_of(const Disc& disc, const Features& features) {
     std::uint32_t from, to;
     bool operator<(const Step& other) const { return agreement < other.agreement; }
   };
-  const auto neighbours = neighbours_of(disc);
+  const auto neighbours = beside_each(disc);
   std::vector<std::optional<double>> angles(features.size());
   const auto start = std::ranges::max_element(features, {}, [](const auto& z) { return z.real(); });
   std::priority_queue<Step> steps;
@@ -76,10 +76,6 @@ std::vector<double> angles_of(const Disc& disc, const Features& features) {
   std::vector<double> result;
   for (const std::optional<double>& angle : angles) result.push_back(angle.value_or(0.0));
   return result;
-}
-
-double cross(const glm::dvec2& a, const glm::dvec2& b) {
-  return a.x * b.y - a.y * b.x;
 }
 
 class Flattener {

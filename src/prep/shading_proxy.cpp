@@ -90,11 +90,6 @@ void smooth(Mesh& mesh) {
   compute_normals(mesh, kPi);
 }
 
-Vec3 unit_or(const Vec3& v, const Vec3& otherwise) {
-  const float length = glm::length(v);
-  return length > 1e-6F ? v / length : otherwise;
-}
-
 Vec3 face_of(const Mesh& mesh, const Triangle& t) {
   return glm::cross(mesh.positions[t[1]] - mesh.positions[t[0]], mesh.positions[t[2]] - mesh.positions[t[0]]);
 }

@@ -9,11 +9,6 @@ namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-Vec3 unit_or(const Vec3& v, const Vec3& otherwise) {
-  const float length = glm::length(v);
-  return length > 1e-6F ? v / length : otherwise;
-}
-
 /// The vertices in the middle of sides, made when they are asked for.
 class Middles {
  public:

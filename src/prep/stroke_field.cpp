@@ -15,7 +15,7 @@ namespace {
 using Complex = std::complex<double>;  // a direction at angle a is e^(2 i a): it has no sign
 
 /// How far a direction reaches, as a share of a piece's size (the root of its area).
-constexpr double kReach = 0.07;
+constexpr double kFieldReach = 0.07;
 /// Directions of the default have this share of the say of full curvature, so that they decide where there is none.
 constexpr double kDefaultSay = 1e-4;
 
@@ -101,7 +101,7 @@ class FieldSystem {
     const glm::dvec3 axis = longest_axis(*surface_, *sides_);
     for (std::size_t f = 0; f < surface_->triangles.size(); ++f) {
       const double size = std::sqrt(sides_->piece_areas[sides_->piece[f]]);
-      const double share = sides_->areas[f] / (3.0 * kReach * kReach * size * size);
+      const double share = sides_->areas[f] / (3.0 * kFieldReach * kFieldReach * size * size);
       for (const std::uint32_t v : surface_->triangles[f]) {
         const double bend = (std::abs(curvature_.largest[v]) - std::abs(curvature_.other[v])) * size;
         const double say = share_of(v) * share * (std::isfinite(bend) ? bend / (1.0 + bend) : 0.0);

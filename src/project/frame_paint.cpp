@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <charconv>
 #include <map>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -14,10 +16,45 @@ namespace luminist {
 namespace {
 
 constexpr std::string_view kFrames = "frames/";
+constexpr std::string_view kCameras = "cameras/";
 constexpr std::string_view kPaint = "paint/";
 
-std::string folder_of(double frame) {
-  return fmt::format("{}{}/", kFrames, number_text(frame + 0.0));
+/// A camera's name as a part of a path, which has no "/".
+std::string escaped(std::string_view name) {
+  std::string text;
+  for (const char c : name) text += c == '/' ? "%2F" : c == '%' ? "%25" : std::string(1, c);
+  return text;
+}
+
+std::string unescaped(std::string_view text) {
+  std::string name;
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const std::string_view code = text.substr(i, 3);
+    const char c = code == "%2F" ? '/' : text[i];
+    name += c;
+    if (code == "%2F" || code == "%25") i += 2;
+  }
+  return name;
+}
+
+std::string folder_of(const std::string& camera) {
+  return fmt::format("{}{}/", kCameras, escaped(camera));
+}
+
+std::string folder_of(const Vantage& present, const Vantage& vantage) {
+  return fmt::format("{}{}{}/", vantage.camera == present.camera ? "" : folder_of(vantage.camera), kFrames,
+                     number_text(vantage.frame + 0.0));
+}
+
+/// What lies below one prefix lies below another one.
+void move(Document& document, const std::string& from, const std::string& to) {
+  std::vector<std::pair<std::string, std::string>> moved;
+  const Document::Entries& entries = document.entries();
+  for (auto entry = entries.lower_bound(from); entry != entries.end() && entry->first.starts_with(from); ++entry) {
+    moved.emplace_back(to + entry->first.substr(from.size()), entry->second);
+  }
+  document.erase_below(from);
+  for (auto& [path, value] : moved) document.set(path, std::move(value));
 }
 
 std::uint32_t strokes_of(const Document& document) {
@@ -27,57 +64,105 @@ std::uint32_t strokes_of(const Document& document) {
   return has_paint(document) ? std::max(strokes, 1U) : 0;
 }
 
-/// The paint below each "frames/FRAME/", as documents of their own.
-std::map<double, Document> put_away(const Document& document) {
-  std::map<double, Document> frames;
-  const Document::Entries& entries = document.entries();
-  for (auto entry = entries.lower_bound(kFrames); entry != entries.end() && entry->first.starts_with(kFrames);
-       ++entry) {
-    const std::string_view rest = std::string_view(entry->first).substr(kFrames.size());
-    double frame = 0.0;
-    const auto [end, status] = std::from_chars(rest.data(), rest.data() + rest.size(), frame);
-    const auto length = static_cast<std::size_t>(end - rest.data());
-    if (status != std::errc() || !rest.substr(length).starts_with("/paint/")) continue;
-    frames[frame].set(rest.substr(length + 1), entry->second);
+/// A path of paint that is put away, taken apart.
+struct AwayPath {
+  Vantage at;
+  std::string_view rest;  ///< "paint/..."
+};
+
+std::optional<AwayPath> take_apart(std::string_view path, const Vantage& present) {
+  AwayPath away{{present.camera, 0.0}, {}};
+  if (path.starts_with(kCameras)) {
+    path.remove_prefix(kCameras.size());
+    const std::size_t end = std::min(path.find('/'), path.size());
+    away.at.camera = unescaped(path.substr(0, end));
+    path.remove_prefix(std::min(end + 1, path.size()));
   }
-  return frames;
+  if (!path.starts_with(kFrames)) return std::nullopt;
+  path.remove_prefix(kFrames.size());
+  const auto [end, status] = std::from_chars(path.data(), path.data() + path.size(), away.at.frame);
+  path.remove_prefix(static_cast<std::size_t>(end - path.data()));
+  if (status != std::errc() || !path.starts_with("/paint/")) return std::nullopt;
+  away.rest = path.substr(1);
+  return away;
+}
+
+/// The paint that is put away, as documents of their own.
+std::map<Vantage, Document> put_away(const Document& document, const Vantage& present) {
+  std::map<Vantage, Document> paints;
+  for (const std::string_view folder : {kCameras, kFrames}) {
+    const Document::Entries& entries = document.entries();
+    for (auto entry = entries.lower_bound(folder); entry != entries.end() && entry->first.starts_with(folder);
+         ++entry) {
+      if (const auto away = take_apart(entry->first, present)) paints[away->at].set(away->rest, entry->second);
+    }
+  }
+  return paints;
 }
 
 }  // namespace
 
-std::vector<PaintedFrame> painted_frames(const Document& document, double present) {
-  std::vector<PaintedFrame> frames;
-  for (const auto& [frame, paint] : put_away(document)) {
-    if (has_paint(paint) && frame != present) frames.push_back({frame, strokes_of(paint)});
+std::vector<PaintedFrame> painted_frames(const Document& document, const Vantage& present) {
+  std::vector<PaintedFrame> painted;
+  for (const auto& [at, paint] : put_away(document, present)) {
+    if (has_paint(paint) && at != present) painted.push_back({at, strokes_of(paint)});
   }
-  if (has_paint(document)) frames.push_back({present, strokes_of(document)});
-  std::sort(frames.begin(), frames.end(), [](const auto& a, const auto& b) { return a.frame < b.frame; });
-  return frames;
+  if (has_paint(document)) painted.push_back({present, strokes_of(document)});
+  std::ranges::sort(painted, {}, &PaintedFrame::at);
+  return painted;
 }
 
-Document at_frame(const Document& document, double present, double frame) {
+void turn_paint(Document& document, const Vantage& from, const Vantage& to) {
+  const std::string nu(document.get("paint/nu")), delta(document.get("paint/delta"));
+  move(document, std::string(kPaint), folder_of(from, from) + std::string(kPaint));
+  if (to.camera != from.camera) {
+    move(document, std::string(kFrames), folder_of(from.camera) + std::string(kFrames));
+    move(document, folder_of(to.camera) + std::string(kFrames), std::string(kFrames));
+  }
+  move(document, folder_of(to, to) + std::string(kPaint), std::string(kPaint));
+  // What was never painted counts unpainted pixels as the lighter last wanted.
+  if (!document.has("paint/nu")) document.set("paint/nu", nu);
+  if (!document.has("paint/delta")) document.set("paint/delta", delta);
+}
+
+Document at_vantage(const Document& document, const Vantage& present, const Vantage& vantage) {
   Document turned = document;
-  if (frame != present) turn_paint(turned, present, frame);
+  if (vantage != present) turn_paint(turned, present, vantage);
   return turned;
 }
 
-void put_frame_paint(Document& document, double frame, const Document& paint) {
-  document.erase_below(folder_of(frame) + std::string(kPaint));
+void put_frame_paint(Document& document, const Vantage& present, const Vantage& vantage, const Document& paint) {
+  const std::string folder = folder_of(present, vantage);
+  document.erase_below(folder + std::string(kPaint));
   for (const auto& [path, value] : paint.entries()) {
-    if (path.starts_with(kPaint)) document.set(folder_of(frame) + path, value);
+    if (path.starts_with(kPaint)) document.set(folder + path, value);
   }
 }
 
-bool clear_frame_paint(Document& document, double frame) {
-  const auto frames = put_away(document);
-  const auto found = frames.find(frame);
-  if (found == frames.end() || !has_paint(found->second)) return false;
+bool clear_frame_paint(Document& document, const Vantage& present, const Vantage& vantage) {
+  const auto paints = put_away(document, present);
+  const auto found = paints.find(vantage);
+  if (found == paints.end() || !has_paint(found->second)) return false;
   Document kept;
   for (const auto& [path, value] : found->second.entries()) {
     if (path == "paint/nu" || path == "paint/delta" || path.starts_with("paint/previous/")) kept.set(path, value);
   }
-  put_frame_paint(document, frame, kept);
+  put_frame_paint(document, present, vantage, kept);
   return true;
+}
+
+void forget_paint(Document& document) {
+  std::map<std::string, std::string> kept;
+  for (const char* path : {"paint/nu", "paint/delta"}) {
+    if (const std::string_view value = document.get(path); !value.empty()) kept[path] = value;
+  }
+  document.erase_below(kPaint);
+  for (const auto& [path, value] : kept) document.set(path, value);
+  std::vector<std::string> gone;
+  for (const auto& [path, value] : document.entries()) {
+    if (take_apart(path, {})) gone.push_back(path);
+  }
+  for (const std::string& path : gone) document.set(path, "");
 }
 
 }  // namespace luminist

@@ -96,24 +96,6 @@ Result<void> write_paint(const CanvasState& canvas, Document& document, TileStor
   return write_plane(canvas.importance.paint, "paint/importance", document, tiles);
 }
 
-void turn_paint(Document& document, double from_frame, double to_frame) {
-  const auto move = [&](const std::string& from, const std::string& to) {
-    std::vector<std::pair<std::string, std::string>> moved;
-    const auto& entries = document.entries();
-    for (auto entry = entries.lower_bound(from); entry != entries.end() && entry->first.starts_with(from); ++entry) {
-      moved.emplace_back(to + entry->first.substr(from.size()), entry->second);
-    }
-    document.erase_below(from);
-    for (auto& [path, value] : moved) document.set(path, std::move(value));
-  };
-  const std::string nu(document.get("paint/nu")), delta(document.get("paint/delta"));
-  move("paint/", fmt::format("frames/{}/paint/", number_text(from_frame + 0.0)));
-  move(fmt::format("frames/{}/paint/", number_text(to_frame + 0.0)), "paint/");
-  // A frame that was never painted counts unpainted pixels as the lighter last wanted.
-  if (!document.has("paint/nu")) document.set("paint/nu", nu);
-  if (!document.has("paint/delta")) document.set("paint/delta", delta);
-}
-
 bool has_paint(const Document& document) {
   return document.has("paint/strokes");
 }

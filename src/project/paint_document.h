@@ -12,10 +12,6 @@ namespace luminist {
 /// hashing.
 Result<void> write_paint(const CanvasState& canvas, Document& document, TileStore& tiles);
 
-/// Puts the paint away as that of one frame ("frames/FRAME/paint/...") and takes out that of another; if there is none,
-/// none but nu and delta. cost O(entries).
-void turn_paint(Document& document, double from_frame, double to_frame);
-
 /// Whether the document holds strokes.
 bool has_paint(const Document& document);
 

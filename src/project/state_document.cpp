@@ -99,7 +99,7 @@ Result<std::string> text_at(const Document& document, const std::string& path) {
 }
 
 std::string keys_path(const std::string& light, const std::string& name) {
-  return fmt::format("keys/{}/{}", light.empty() ? "ambient" : "lights/" + light, name);
+  return fmt::format("keys/{}/{}", light_path(light), name);
 }
 
 void write_keys(const LightRig& rig, Document& document) {

@@ -46,9 +46,7 @@ Camera with_tight_planes(Camera camera, const Box& bounds) {
   float nearest = std::numeric_limits<float>::infinity();
   float farthest = -nearest;
   for (int corner = 0; corner < 8; ++corner) {
-    const Vec3 p((corner & 1) != 0 ? bounds.hi.x : bounds.lo.x, (corner & 2) != 0 ? bounds.hi.y : bounds.lo.y,
-                 (corner & 4) != 0 ? bounds.hi.z : bounds.lo.z);
-    const float depth = glm::dot(p - eye, ahead);
+    const float depth = glm::dot(bounds.corner(corner) - eye, ahead);
     nearest = std::min(nearest, depth);
     farthest = std::max(farthest, depth);
   }

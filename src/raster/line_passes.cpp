@@ -13,9 +13,9 @@ namespace {
 
 constexpr unsigned kSilhouette = 1;  // LINE_... of shaders/lib/surface.glsl
 constexpr unsigned kCrease = 2;
-constexpr float kPull = 1.0F;      // widths that a crease is moved to the eye, so that it lies on the surface
-constexpr float kNearest = 0.25F;  // scene radii, of the depth at which widths are measured
-constexpr float kPush = 1.0F;      // widths that a hull is moved away from the eye, so that shallow folds get no line
+constexpr float kCreasePull = 1.0F;  // widths that a crease is moved to the eye, so that it lies on the surface
+constexpr float kNearest = 0.25F;    // scene radii, of the depth at which widths are measured
+constexpr float kPush = 1.0F;        // widths that a hull is moved away from the eye, so that shallow folds get no line
 
 Result<Program> load_marking(Device& device, const AssetRoots& roots) {
   std::vector<SourceChunk> chunks;
@@ -100,7 +100,7 @@ void LinePasses::draw_silhouettes(SettledDrawing& drawing, const Mat4& clip_from
 void LinePasses::draw_creases(SettledDrawing& drawing, const Mat4& clip_from_world) {
   crease_program_.use();
   crease_program_.set("clip_from_world", clip_from_world);
-  crease_program_.set("pull", kPull);
+  crease_program_.set("pull", kCreasePull);
   crease_program_.set("least_angle", lines_.spec.crease_angle);
   crease_program_.set("kind", kCrease);
   set_width(crease_program_, lines_.spec.inner * width_at_centre());

@@ -25,7 +25,7 @@ struct EdgeVertex {
 };
 
 template <class Vertex>
-struct Lists {
+struct OutlineLists {
   std::vector<Vertex> vertices;
   std::vector<std::uint32_t> indices;
 
@@ -41,7 +41,7 @@ struct Lists {
   }
 };
 
-MeshDraw append_hull(const OutlineHull& hull, Lists<HullVertex>& lists) {
+MeshDraw append_hull(const OutlineHull& hull, OutlineLists<HullVertex>& lists) {
   MeshDraw draw = lists.begin();
   for (std::size_t v = 0; v < hull.positions.size(); ++v) {
     lists.vertices.push_back({hull.positions[v], hull.directions[v], hull.widths[v]});
@@ -51,7 +51,7 @@ MeshDraw append_hull(const OutlineHull& hull, Lists<HullVertex>& lists) {
   return draw;
 }
 
-MeshDraw append_edges(const OutlineHull& hull, Lists<EdgeVertex>& lists) {
+MeshDraw append_edges(const OutlineHull& hull, OutlineLists<EdgeVertex>& lists) {
   MeshDraw draw = lists.begin();
   std::uint32_t first = 0;
   for (const OutlineHull::Edge& edge : hull.edges) {
@@ -71,8 +71,8 @@ MeshDraw append_edges(const OutlineHull& hull, Lists<EdgeVertex>& lists) {
 
 Result<OutlineBuffers> OutlineBuffers::create(Device& device, const Scene& scene) {
   OutlineBuffers outlines;
-  Lists<HullVertex> hulls;
-  Lists<EdgeVertex> edges;
+  OutlineLists<HullVertex> hulls;
+  OutlineLists<EdgeVertex> edges;
   std::map<std::pair<int, int>, std::pair<MeshDraw, MeshDraw>> of_mesh;  // of a mesh with a mask
   for (std::size_t i = 0; i < scene.objects.size(); ++i) {
     const Object& object = scene.objects[i];

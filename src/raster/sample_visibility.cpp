@@ -20,7 +20,7 @@ Vec2 sample_disc(std::uint32_t sample, int ray, int rays) {
   const std::uint32_t index = sample * static_cast<std::uint32_t>(rays) + static_cast<std::uint32_t>(ray);
   const auto fraction = [](std::uint32_t fixed) { return static_cast<float>(fixed >> 8) * 0x1p-24F; };
   const float radius = std::sqrt(fraction(index * 3242174889U + 0x80000000U));
-  const float angle = 2.0F * static_cast<float>(kPi) * fraction(index * 2447445414U);
+  const float angle = 2.0F * kPiF * fraction(index * 2447445414U);
   return radius * Vec2(std::cos(angle), std::sin(angle));
 }
 

@@ -172,7 +172,7 @@ bool shadow_covers(const ShadowLight& light, const Vec3& receiver) {
 }
 
 Vec2 vogel_disc(int i, int n) {
-  const float golden_angle = static_cast<float>(kPi) * (3.0F - std::sqrt(5.0F));
+  const float golden_angle = kPiF * (3.0F - std::sqrt(5.0F));
   const float radius = std::sqrt((static_cast<float>(i) + 0.5F) / static_cast<float>(n));
   const float angle = static_cast<float>(i) * golden_angle;
   return radius * Vec2(std::cos(angle), std::sin(angle));

@@ -59,9 +59,7 @@ bool may_show(const Mat4& clip_from_object, const Box& box) {
   constexpr float kSlack = 1.0001F;  // of the sides: corners are rounded
   std::array<int, 5> beyond{};
   for (int corner = 0; corner < 8; ++corner) {
-    const Vec3 at((corner & 1) != 0 ? box.hi.x : box.lo.x, (corner & 2) != 0 ? box.hi.y : box.lo.y,
-                  (corner & 4) != 0 ? box.hi.z : box.lo.z);
-    const Vec4 clip = clip_from_object * Vec4(at, 1.0F);
+    const Vec4 clip = clip_from_object * Vec4(box.corner(corner), 1.0F);
     const float side = kSlack * clip.w;
     const std::array<bool, 5> out{clip.x > side, clip.x<-side, clip.y> side, clip.y < -side, clip.w < 0.0F};
     for (std::size_t i = 0; i < out.size(); ++i) beyond[i] += out[i] ? 1 : 0;

@@ -173,8 +173,7 @@ void keep(LightRig& rig, Light& light, std::vector<bool>& kept) {
 }  // namespace
 
 const char* rule_name(const Constraint& constraint) {
-  constexpr std::array<const char*, 5> kNames{"on_plane", "at_distance", "mirror_of", "same_color", "between"};
-  return kNames[constraint.rule.index()];
+  return kRuleNames[constraint.rule.index()];
 }
 
 bool same_kind(const Constraint& a, const Constraint& b) {

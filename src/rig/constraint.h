@@ -1,5 +1,6 @@
 #pragma once
 // rig/constraint.h -- what holds of a light before it is solved: where it stands, whom it follows, in what range.
+#include <array>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -56,7 +57,8 @@ struct Constraint {
   std::variant<OnPlane, AtDistance, MirrorOf, SameColor, Between> rule;
 };
 
-/// "on_plane", "at_distance", "mirror_of", "same_color" or "between": what it is called in rig files.
+/// What the rules are called in rig files, by Constraint::rule's alternatives.
+inline constexpr std::array<const char*, 5> kRuleNames{"on_plane", "at_distance", "mirror_of", "same_color", "between"};
 const char* rule_name(const Constraint& constraint);
 /// Of one light and kind, ranges of one parameter: the later one takes the place of the earlier.
 bool same_kind(const Constraint& a, const Constraint& b);

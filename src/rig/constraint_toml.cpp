@@ -11,8 +11,6 @@
 namespace luminist {
 namespace {
 
-constexpr std::array<const char*, 5> kRules{"on_plane", "at_distance", "mirror_of", "same_color", "between"};
-
 Vec3 read_vector(TomlReader& read, const char* key) {
   const TomlValue& value = read.required_value(key);
   Vec3 vector(std::numeric_limits<float>::quiet_NaN());
@@ -30,7 +28,7 @@ Plane read_plane(TomlReader& read) {
   return plane;
 }
 
-/// Of the table behind one of kRules.
+/// Of the table behind one of kRuleNames.
 Result<Constraint> read_rule(const std::string& light, std::string_view rule, const TomlValue& table,
                              const std::string& path) {
   TomlReader read(table, path, ErrorKind::kBadContent);
@@ -60,7 +58,7 @@ Result<Constraint> read_constraint(const TomlValue& table, const std::string& pa
   const std::string light = read.string("light");
   const char* rule = nullptr;
   const TomlValue* body = nullptr;
-  for (const char* each : kRules) {
+  for (const char* each : kRuleNames) {
     const TomlValue* found = read.table(each);
     if (found != nullptr && body != nullptr) {
       read.fail(each, fmt::format("there is {} already", rule), "write a [[constraint]] for each");
@@ -69,7 +67,7 @@ Result<Constraint> read_constraint(const TomlValue& table, const std::string& pa
   }
   LUM_TRY_VOID(read.finish());
   if (body == nullptr) {
-    read.fail("light", "nothing is said of this light", fmt::format("give one of {}", fmt::join(kRules, ", ")));
+    read.fail("light", "nothing is said of this light", fmt::format("give one of {}", fmt::join(kRuleNames, ", ")));
     LUM_TRY_VOID(read.status());
   }
   return read_rule(light, rule, *body, path);

@@ -18,6 +18,10 @@ const Light* LightRig::find(const std::string& name) const {
   return hit == lights.end() ? nullptr : &*hit;
 }
 
+std::string light_path(const std::string& name) {
+  return name.empty() ? "ambient" : "lights/" + name;
+}
+
 std::string LightRig::unused_name(const std::string& wanted) const {
   std::string name = wanted;
   for (int number = 2; find(name) != nullptr; ++number) name = fmt::format("{}-{}", wanted, number);

@@ -35,6 +35,9 @@ struct LightRig {
   [[nodiscard]] std::string unused_name(const std::string& wanted) const;
 };
 
+/// What the paths of its parameters begin with: "lights/key"; of no name, the ambient light.
+std::string light_path(const std::string& name);
+
 /// Whether a text can name a light or a group: 1 to 255 bytes without control characters, '/', '*', '=' and ':', which
 /// mean something in the paths of parameters.
 bool is_light_name(std::string_view name);

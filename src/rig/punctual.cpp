@@ -46,7 +46,7 @@ void set_intensity(ParamBlock& block, const PunctualLight& light, const SceneFra
   const float distance = std::max(glm::length(light.position - frame.center), kNearestDistance * frame.radius);
   set_by_role(block, "falloff", Vec3(2.0F));
   set_by_role(block, "falloff_distance", Vec3(distance));
-  set_by_role(block, "color", light.color * (light.intensity / (static_cast<float>(kPi) * distance * distance)));
+  set_by_role(block, "color", light.color * (light.intensity / (kPiF * distance * distance)));
   const auto cutoff = last_by_role(block.schema(), "cutoff");
   if (!cutoff) return;
   if (light.range > 0.0F) {
@@ -81,7 +81,7 @@ Result<std::vector<Light>> from_punctual(const std::vector<PunctualLight>& light
     const Vec3 direction = unit_direction(light.direction).value_or(Vec3(0.0F, 0.0F, -1.0F));
     set_by_role(made.params, "direction", direction);
     if (light.kind == PunctualLight::Kind::kSun) {
-      set_by_role(made.params, "color", light.color * (light.intensity / static_cast<float>(kPi)));
+      set_by_role(made.params, "color", light.color * (light.intensity / kPiF));
     } else {
       set_by_role(made.params, "position", light.position);
       set_intensity(made.params, light, frame);

@@ -16,10 +16,6 @@
 namespace luminist {
 namespace {
 
-bool inside(int index, std::size_t size) {
-  return index >= 0 && static_cast<std::size_t>(index) < size;
-}
-
 /// Reads one deformer.
 class DeformerReader {
  public:

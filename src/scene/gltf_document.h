@@ -1,5 +1,6 @@
 #pragma once
 // scene/gltf_document.h -- a parsed glTF file and safe access to its buffers.
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
@@ -13,6 +14,11 @@ class Model;
 }
 
 namespace luminist {
+
+/// Whether an index that a file gives, -1 for none, is one of so many.
+inline bool inside(int index, std::size_t size) {
+  return index >= 0 && static_cast<std::size_t>(index) < size;
+}
 
 /// Parses .gltf or .glb bytes. External files are read only from beside the file; images stay encoded: in image of a
 /// tinygltf::Image if they came from a URI (empty if the file is missing), else in their buffer view.

@@ -8,14 +8,9 @@
 
 #include <fmt/format.h>
 
+#include "scene/gltf_document.h"
+
 namespace luminist {
-namespace {
-
-bool inside(int index, std::size_t size) {
-  return index >= 0 && static_cast<std::size_t>(index) < size;
-}
-
-}  // namespace
 
 void add_gltf_light(const tinygltf::Model& model, const tinygltf::Node& node, int place, const Mat4& world_from_node,
                     const std::string& path, Scene& scene, Diagnostics& diagnostics) {

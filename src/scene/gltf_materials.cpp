@@ -19,10 +19,6 @@ namespace {
 
 constexpr const char* kLineWidthField = ".extras.luminist.line_width_texture";
 
-bool inside(int index, std::size_t size) {
-  return index >= 0 && static_cast<std::size_t>(index) < size;
-}
-
 /// Collects which pictures are wanted in which encoding, reads them together, and makes textures of them.
 class Textures {
  public:

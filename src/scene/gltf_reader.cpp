@@ -26,10 +26,6 @@ namespace {
 
 constexpr int kDeepestNode = 64;
 
-bool inside(int index, std::size_t size) {
-  return index >= 0 && static_cast<std::size_t>(index) < size;
-}
-
 class GltfReader {
  public:
   GltfReader(std::string path, const tinygltf::Model& model, Diagnostics& diagnostics)

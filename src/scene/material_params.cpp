@@ -99,7 +99,7 @@ float own_value(const ParamSchema& schema, int param) {
 /// A tint as a factor of the material, or as a texture of its own where a factor would have to be above 1.
 void bake_tint(Scene& scene, Material& material, const Vec3& tint) {
   const Vec3 wanted = material.base_color * glm::max(tint, Vec3(0.0F));
-  if (material.base_color_texture < 0 || std::max({wanted.x, wanted.y, wanted.z}) <= 1.0F) {
+  if (material.base_color_texture < 0 || largest(wanted) <= 1.0F) {
     material.base_color = glm::min(wanted, glm::max(Vec3(1.0F), material.base_color));
     return;
   }

@@ -14,13 +14,14 @@ using Vector = Eigen::Map<const Eigen::VectorXd>;
 
 enum class Side { kFree, kLow, kHigh, kUntouched };
 
-struct Box {
+struct BoxProblem {
   Matrix a;
   Vector b, low, high;
 };
 
 /// The step of the free coordinates to their minimum; empty if there is none.
-Eigen::VectorXd free_step(const Box& box, const Eigen::VectorXd& gradient, const std::vector<Eigen::Index>& open) {
+Eigen::VectorXd free_step(const BoxProblem& box, const Eigen::VectorXd& gradient,
+                          const std::vector<Eigen::Index>& open) {
   const auto m = static_cast<Eigen::Index>(open.size());
   Eigen::MatrixXd a(m, m);
   Eigen::VectorXd wanted(m);
@@ -36,7 +37,7 @@ Eigen::VectorXd free_step(const Box& box, const Eigen::VectorXd& gradient, const
 }
 
 /// Walks until a bound stops it. returns whether none did.
-bool walk(const Box& box, const Eigen::VectorXd& step, const std::vector<Eigen::Index>& open, Eigen::VectorXd& x,
+bool walk(const BoxProblem& box, const Eigen::VectorXd& step, const std::vector<Eigen::Index>& open, Eigen::VectorXd& x,
           std::vector<Side>& side) {
   double share = 1.0;
   Eigen::Index stopped = -1;
@@ -61,7 +62,7 @@ bool walk(const Box& box, const Eigen::VectorXd& step, const std::vector<Eigen::
 }
 
 /// Lets go of the coordinate that would gain most by leaving its bound. returns whether there was one.
-bool let_go(const Box& box, const Eigen::VectorXd& gradient, std::vector<Side>& side) {
+bool let_go(const BoxProblem& box, const Eigen::VectorXd& gradient, std::vector<Side>& side) {
   double most = 1e-12 * gradient.cwiseAbs().maxCoeff();
   Eigen::Index chosen = -1;
   for (Eigen::Index k = 0; k < gradient.size(); ++k) {
@@ -86,7 +87,7 @@ void solve_box(std::span<const double> a, std::span<const double> b, std::span<c
                std::span<const double> high, std::span<double> x) {
   if (x.empty()) return;
   const auto n = static_cast<Eigen::Index>(x.size());
-  const Box box{Matrix(a.data(), n, n), Vector(b.data(), n), Vector(low.data(), n), Vector(high.data(), n)};
+  const BoxProblem box{Matrix(a.data(), n, n), Vector(b.data(), n), Vector(low.data(), n), Vector(high.data(), n)};
   Eigen::VectorXd at(n);
   std::vector<Side> side(x.size(), Side::kFree);
   for (Eigen::Index k = 0; k < n; ++k) {

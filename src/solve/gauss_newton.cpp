@@ -12,7 +12,7 @@ namespace {
 
 /// Where the un-squared norm is rounded off, of the mean residual. Rounder than the norm asks for: a few cells with
 /// tiny residuals would otherwise hold all the others back, and descents take three times as many iterations.
-constexpr double kNormFloor = 0.3;
+constexpr double kResidualFloor = 0.3;
 
 constexpr double kLeastDamping = 1e-8;
 
@@ -130,7 +130,7 @@ GaussNewton::Equations GaussNewton::equations(const AimMap& map) const {
   for (std::size_t c = 0; c < cells.target.size(); ++c) {
     const Vec3 r = picture[c] - cells.target[c];
     double weight = cells.weight[c];
-    if (problem_->norm() == Norm::kUnsquared) weight /= glm::length(r) + kNormFloor * mean + 1e-12;
+    if (problem_->norm() == Norm::kUnsquared) weight /= glm::length(r) + kResidualFloor * mean + 1e-12;
     const double root = std::sqrt(weight);
     for (int channel = 0; channel < 3; ++channel) {
       const Eigen::Index row = static_cast<Eigen::Index>(3 * c) + channel;

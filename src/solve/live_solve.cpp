@@ -19,13 +19,10 @@ using Clock = std::chrono::steady_clock;
 
 constexpr int kCells = 320;  // few enough for several iterations in a slice, enough for a small new stroke
 constexpr int kPerCell = 2;
-constexpr double kMoved = 0.15;  // of the cells' mass: cut anew
-constexpr int kIterations = 20;  // of one descent; the search that comes after it has all the time
-constexpr int kSearches = 2;     // when the hand rests
-constexpr double kGain = 0.995;  // on the samples, to be worth a picture
-
-/// The same samples twice: soft, where shadows and edges have slopes, and as the picture is.
-enum LevelName : std::size_t { kFollow, kExact };
+constexpr double kMoved = 0.15;         // of the cells' mass: cut anew
+constexpr int kDescentIterations = 20;  // of one descent; the search that comes after it has all the time
+constexpr int kSearches = 2;            // when the hand rests
+constexpr double kGain = 0.995;         // on the samples, to be worth a picture
 
 void copy_box(const Target& from, Target& to, const PixelBox& box) {
   for (int y = box.y0; y < box.y1; ++y) {
@@ -74,6 +71,8 @@ class LiveSolve::Impl {
 
  private:
   enum class Phase { kBegin, kDescend, kSearch, kDone };
+  /// The same samples twice: soft, where shadows and edges have slopes, and as the picture is.
+  enum LevelName : std::size_t { kFollow, kExact };
 
   static Target clean(Target target) {
     sanitize(target);
@@ -138,8 +137,8 @@ Result<void> LiveSolve::Impl::cut() {
   level_ = kFollow;
   if (sampler_.nothing_counts()) return {};
   levels_[kFollow] = {
-      sampler_.cut(kCells, kPerCell, options_.seed), {0.03F, 0.04F, 0.1F, 2}, 0.008, 0.005, kIterations};
-  levels_[kExact] = {levels_[kFollow].cells, {0.0F, 0.0F, 0.0F, 2}, 0.004, 0.003, kIterations};
+      sampler_.cut(kCells, kPerCell, options_.seed), {0.03F, 0.04F, 0.1F, 2}, 0.008, 0.005, kDescentIterations};
+  levels_[kExact] = {levels_[kFollow].cells, {0.0F, 0.0F, 0.0F, 2}, 0.004, 0.003, kDescentIterations};
   const SampleCells& cells = levels_[kFollow].cells;
   if (!parts_) {
     LUM_TRY(parts_, PictureParts::create(*renderer_, best_, cells.samples));
@@ -235,7 +234,7 @@ Result<void> LiveSolve::Impl::start_descent() {
 Result<void> LiveSolve::Impl::descend() {
   LUM_TRY(const bool more, descent_->iterate());
   found_ = descent_->point().state;
-  if (!more || descent_->iterations() >= kIterations) {
+  if (!more || descent_->iterations() >= kDescentIterations) {
     descent_.reset();
     enter(level_ == kFollow ? Phase::kBegin : Phase::kSearch);
     level_ = kExact;

@@ -11,13 +11,13 @@
 namespace luminist {
 namespace {
 
-constexpr int kRounds = 2;            // after the look ahead
+constexpr int kRefinements = 2;       // after the look ahead
 constexpr int kManyPaths = 24'000;    // of all cells: where a round needs more, a look ahead is cheap and sure
 constexpr int kMorePaths = 4;         // times those of the round before
 constexpr int kMostPaths = 256;       // a pixel
 constexpr int kPixels = 3000;         // that a descent looks at
 constexpr int kMostWork = 6'000'000;  // paths of a batch of slopes
-constexpr int kIterations = 4;        // batches of slopes
+constexpr int kSlopeBatches = 4;      // batches of slopes
 constexpr int kJudges = 2;            // times the user's paths, for whole pictures
 constexpr double kWorthwhile = 0.01;  // of what was gained so far: a round that gains less was the last
 constexpr double kSeedStep = 7919.0;  // seeds of rounds are as far apart
@@ -103,7 +103,7 @@ Result<void> Refinement::prepare() {
   const CellSampler sampler(renderer_->surface(), metric.blur > 0.0F ? seen : *target_, edges_);
   auto descent = std::make_unique<Descent>();
   const std::uint64_t seed = progress_->options().seed + 100 + static_cast<std::uint64_t>(round_);
-  descent->level = {sampler.cut(kPixels, 1, seed), {0.0F, 0.0F, 0.0F, 8}, 0.006, 0.005, kIterations};
+  descent->level = {sampler.cut(kPixels, 1, seed), {0.0F, 0.0F, 0.0F, 8}, 0.006, 0.005, kSlopeBatches};
   const SampleCells& cells = descent->level.cells;
   if (round_ == 0 && cells.size() * given_paths() * kMorePaths <= kManyPaths) round_ = 1;
   const int paths = paths_of(round_);
@@ -172,7 +172,7 @@ void Refinement::end_round() {
   ++round_;
   const bool worthwhile = found < best && best - found > kWorthwhile * (start - found);
   const bool affordable = progress_->options().max_evals - progress_->report().evals >= kPictures;
-  const bool more = worthwhile && affordable && round_ <= kRounds && progress_->running();
+  const bool more = worthwhile && affordable && round_ <= kRefinements && progress_->running();
   phase_ = more ? Phase::kPrepare : Phase::kTell;
 }
 

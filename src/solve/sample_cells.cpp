@@ -26,7 +26,7 @@ bool differ(const SurfaceBuffer& surface, std::size_t a, std::size_t b) {
   if (surface.object[a] != surface.object[b]) return true;
   if (glm::dot(surface.normal[a], surface.normal[b]) < kCrease) return true;
   const Vec3 albedo = glm::abs(surface.albedo[a] - surface.albedo[b]);
-  if (std::max({albedo.x, albedo.y, albedo.z}) > kAlbedoStep) return true;
+  if (largest(albedo) > kAlbedoStep) return true;
   const float near = glm::distance(surface.position[a], surface.eye);
   const float far = glm::distance(surface.position[b], surface.eye);
   return std::abs(near - far) > kDepthStep * std::min(near, far);

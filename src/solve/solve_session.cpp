@@ -15,7 +15,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-constexpr double kSimplexSize = 0.1;         // of the paper's solver
+constexpr double kPaperSimplexSize = 0.1;    // of the paper's solver
 constexpr double kInVain = 0.98;             // of the start's error, left
 constexpr double kBlurredSimplexSize = 0.2;  // for a metric with plateaus
 
@@ -47,7 +47,7 @@ class SolveSession::Impl {
 
   Result<void> begin(std::shared_ptr<const EdgeMask> edges) {
     if (progress_.options().solver == SolverKind::kSimplex) {
-      use_simplex({.size = kSimplexSize, .restarts = progress_.options().restarts});
+      use_simplex({.size = kPaperSimplexSize, .restarts = progress_.options().restarts});
       return {};
     }
     start_ = progress_.best();

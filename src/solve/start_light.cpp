@@ -78,9 +78,7 @@ bool least_squares(const Sums& sums, Vec3& to_light, Vec3& intensity) {
 float covering_angle(const Box& box, const Vec3& apex, const Vec3& axis) {
   float angle = 0.0F;
   for (int corner = 0; corner < 8; ++corner) {
-    const Vec3 p((corner & 1) != 0 ? box.hi.x : box.lo.x, (corner & 2) != 0 ? box.hi.y : box.lo.y,
-                 (corner & 4) != 0 ? box.hi.z : box.lo.z);
-    const Vec3 way = p - apex;
+    const Vec3 way = box.corner(corner) - apex;
     const float length = glm::length(way);
     if (!(length > 0.0F)) return static_cast<float>(kPi / 2.0);
     angle = std::max(angle, std::acos(std::clamp(glm::dot(way / length, axis), -1.0F, 1.0F)));

@@ -12,7 +12,7 @@
 namespace luminist {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 /// The scene as the shot sees it, until it is posed again.
 Result<PaintView> view_of(Scene& scene, const Shot& shot) {
@@ -101,7 +101,7 @@ std::string fate_line(const StrokeFate& fate, std::size_t stroke) {
 }
 
 std::string fates_to_json(const std::vector<StrokeFate>& fates) {
-  Json list = Json::array();
+  OrderedJson list = OrderedJson::array();
   for (std::size_t i = 0; i < fates.size(); ++i) {
     const StrokeFate& fate = fates[i];
     list.push_back({{"stroke", i + 1},
@@ -113,7 +113,7 @@ std::string fates_to_json(const std::vector<StrokeFate>& fates) {
                     {"outside", fate.outside},
                     {"off_surface", fate.off_surface}});
   }
-  return Json{{"strokes", list}}.dump();
+  return OrderedJson{{"strokes", list}}.dump();
 }
 
 }  // namespace luminist

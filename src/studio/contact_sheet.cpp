@@ -7,7 +7,6 @@ namespace luminist {
 namespace {
 
 constexpr int kGap = 12;
-constexpr int kTextScale = 2;
 
 int scaled_height(const Image& image, int width) {
   return std::max(1, static_cast<int>(static_cast<long>(image.height) * width / std::max(image.width, 1)));

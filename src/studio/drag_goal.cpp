@@ -15,10 +15,6 @@ namespace {
 constexpr float kShadowBrush = 0.09F;  // picture heights
 constexpr float kInShadow = 0.6F;      // of what the lights would do without shadows
 
-float brightness(const Vec3& color) {
-  return (color.x + color.y + color.z) / 3.0F;
-}
-
 /// The pixel of a place. errors kNothingToDo if nothing is seen there.
 Result<std::size_t> pixel_at(const SurfaceBuffer& surface, const Vec2& place, const char* field) {
   const float h = static_cast<float>(surface.height);

@@ -34,6 +34,7 @@ class Drawing {
 /// Pixels that a text takes: width, and height down to the lowest descender.
 int text_width(std::string_view words, int scale);
 int text_height(int scale);
+inline constexpr int kTextScale = 2;  ///< of words on plots and sheets
 
 /// "#rrggbb" as three numbers 0 to 255, decoded to linear.
 Vec3 rgb8(int red, int green, int blue);

@@ -13,10 +13,6 @@ constexpr float kLeastStand = 0.1F;  // of its brightness
 constexpr float kLeastSize = 0.012F;
 constexpr float kMostSize = 0.4F;
 
-float brightness(const Vec3& color) {
-  return (color.x + color.y + color.z) / 3.0F;
-}
-
 /// Means over a small square, so that no single pixel is a highlight; of pixels of one object only.
 class Smooth {
  public:
@@ -139,7 +135,7 @@ Result<Highlight> find_highlight(const Image& picture, const SurfaceBuffer& surf
     return no_highlight("nothing stands out here", "grab a spot that is brighter than what lies about it");
   }
   const std::size_t bright = count_bright(smooth, surface, peak, 0.5F * (most + rest.brightness));
-  const float diameter = 2.0F * std::sqrt(static_cast<float>(bright) / static_cast<float>(kPi)) / h;
+  const float diameter = 2.0F * std::sqrt(static_cast<float>(bright) / kPiF) / h;
   Highlight highlight;
   highlight.peak = Vec2((static_cast<float>(peak.x) + 0.5F) / h, (static_cast<float>(peak.y) + 0.5F) / h);
   highlight.diameter = std::clamp(diameter, kLeastSize, kMostSize);

@@ -2,6 +2,7 @@
 // studio/frame_facts.h -- what a window shows of a shot's frames.
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "base/image.h"
@@ -18,15 +19,16 @@ struct FramePicture {
 };
 
 struct FrameFacts {
+  std::string camera;  ///< that is looked through
   double frame = 0.0;  ///< that is looked at
   double fps = 24.0;
   int first = 0;  ///< range of what moves, of the keys and the paint; two seconds at least
   int last = 0;
-  bool moving = false;              ///< something of the scene does
-  std::optional<double> previewed;  ///< the picture shown is a quick one of this frame
-  std::vector<PaintedFrame> painted;
-  std::vector<FramePicture> strip;  ///< ascending
-  std::vector<SolvedFrame> solved;  ///< of a proposal for several; without their paint
+  bool moving = false;                ///< something of the scene does
+  std::optional<double> previewed;    ///< the picture shown is a quick one of this frame
+  std::vector<PaintedFrame> painted;  ///< by any camera
+  std::vector<FramePicture> strip;    ///< ascending
+  std::vector<SolvedFrame> solved;    ///< of a proposal for several; without their paint
 };
 
 }  // namespace luminist

@@ -153,12 +153,13 @@ void FrameStrip::tell(Session& session, StudioSnapshot& next) const {
 FrameFacts frame_facts(Session& session) {
   const Shot& shot = session.shot();
   FrameFacts facts;
+  facts.camera = Shots(session).present().camera;
   facts.frame = shot.frame;
   facts.fps = shot.fps;
   facts.moving = session.stage().moving != nullptr;
   facts.painted = Shots(session).painted();
   std::vector<double> frames = key_frames(session.shown().rig, "*");
-  for (const PaintedFrame& painted : facts.painted) frames.push_back(painted.frame);
+  for (const PaintedFrame& painted : facts.painted) frames.push_back(painted.at.frame);
   frames.push_back(shot.frame);
   frames.push_back(facts.moving ? session.stage().moving->animation.seconds() * shot.fps : 2.0 * shot.fps);
   constexpr double kMost = 1e6;  // frames: more have no place on a ruler
@@ -167,7 +168,7 @@ FrameFacts frame_facts(Session& session) {
   facts.last = whole(std::ceil(*std::max_element(frames.begin(), frames.end()) - 1e-6));
   if (const Solved* solved = session.solved(); solved != nullptr && session.has_proposal()) {
     for (const SolvedFrame& each : solved->frames) {
-      facts.solved.push_back({each.frame, each.weight, each.start, each.found, each.verdict, {}});
+      facts.solved.push_back({each.at, each.weight, each.start, each.found, each.verdict, {}});
     }
   }
   return facts;

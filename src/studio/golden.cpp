@@ -54,11 +54,11 @@ void judge(GoldenOutcome& outcome) {
                                       golden.max_difference, d.mean_difference, golden.mean_difference);
 }
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-Json to_json(const GoldenOutcome& outcome) {
+OrderedJson to_json(const GoldenOutcome& outcome) {
   const GoldenCase& golden = outcome.golden;
-  Json worst = Json::array();
+  OrderedJson worst = OrderedJson::array();
   for (const WorstPixel& pixel : outcome.worst) {
     worst.push_back({{"x", pixel.x},
                      {"y", pixel.y},
@@ -66,16 +66,16 @@ Json to_json(const GoldenOutcome& outcome) {
                      {"new", pixel.picture},
                      {"reference", pixel.reference}});
   }
-  Json json{{"name", golden.name},
-            {"passed", outcome.passed},
-            {"verdict", outcome.verdict},
-            {"reason", golden.reason},
-            {"max_difference", outcome.difference.max_difference},
-            {"max_allowed", golden.max_difference},
-            {"mean_difference", outcome.difference.mean_difference},
-            {"mean_allowed", golden.mean_difference},
-            {"new", golden.name + ".png"},
-            {"worst", std::move(worst)}};
+  OrderedJson json{{"name", golden.name},
+                   {"passed", outcome.passed},
+                   {"verdict", outcome.verdict},
+                   {"reason", golden.reason},
+                   {"max_difference", outcome.difference.max_difference},
+                   {"max_allowed", golden.max_difference},
+                   {"mean_difference", outcome.difference.mean_difference},
+                   {"mean_allowed", golden.mean_difference},
+                   {"new", golden.name + ".png"},
+                   {"worst", std::move(worst)}};
   if (outcome.has_reference) json["reference"] = golden.name + ".reference.png";
   if (outcome.has_reference && outcome.difference.fault.empty()) json["difference"] = golden.name + ".difference.png";
   return json;
@@ -198,9 +198,9 @@ Result<void> accept_golden(const Style& style, const GoldenCase& golden, const f
 }
 
 Result<void> write_outcomes(const Style& style, const std::vector<GoldenOutcome>& outcomes, const fs::path& output) {
-  Json cases = Json::array();
+  OrderedJson cases = OrderedJson::array();
   for (const GoldenOutcome& outcome : outcomes) cases.push_back(to_json(outcome));
-  const Json json{{"style", style.name}, {"folder", style.folder}, {"cases", std::move(cases)}};
+  const OrderedJson json{{"style", style.name}, {"folder", style.folder}, {"cases", std::move(cases)}};
   return write_file_atomic(output / "outcomes.json",
                            json.dump(1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
 }

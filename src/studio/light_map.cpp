@@ -71,7 +71,7 @@ void draw_camera(Drawing& drawing, const SurfaceBuffer& surface, const Projectio
 Vec3 hue(const Light& light) {
   const std::optional<int> color = light.params.schema().by_role("color");
   const Vec3 value = color ? glm::max(light.params.vec3(*color), Vec3(0.0F)) : Vec3(1.0F);
-  const float most = std::max({value.x, value.y, value.z});
+  const float most = largest(value);
   return most > 0.0F && std::isfinite(most) ? value / most : Vec3(0.05F);
 }
 

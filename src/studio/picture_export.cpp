@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kColumns = 3;  // of a sheet
+constexpr std::size_t kSheetColumns = 3;  // of a sheet
 constexpr int kColumnWidth_px = 420;
 
 /// A picture that is to come.
@@ -74,11 +74,11 @@ Result<void> write_one(const Planned& planned, const Image& numbers, const Image
 Result<void> write_sheet(const std::vector<std::string>& titles, std::vector<Image> pictures, const fs::path& path) {
   std::vector<Image> rows;
   int height = 0;
-  for (std::size_t first = 0; first < pictures.size(); first += kColumns) {
-    const std::size_t end = std::min(first + kColumns, pictures.size());
+  for (std::size_t first = 0; first < pictures.size(); first += kSheetColumns) {
+    const std::size_t end = std::min(first + kSheetColumns, pictures.size());
     std::vector<std::string> columns(titles.begin() + static_cast<std::ptrdiff_t>(first),
                                      titles.begin() + static_cast<std::ptrdiff_t>(end));
-    columns.resize(std::min(kColumns, titles.size()));  // all rows are equally wide
+    columns.resize(std::min(kSheetColumns, titles.size()));  // all rows are equally wide
     SheetRow row;
     for (std::size_t i = first; i < end; ++i) row.pictures.push_back(std::move(pictures[i]));
     rows.push_back(contact_sheet(columns, {row}, kColumnWidth_px));

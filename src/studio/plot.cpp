@@ -20,7 +20,6 @@ constexpr int kLeft = 100;
 constexpr int kRight = 30;
 constexpr int kTop = 70;
 constexpr int kBottom = 80;
-constexpr int kTextScale = 2;
 
 struct Axis {
   double low = 0.0;

@@ -30,15 +30,22 @@ Result<double> needed_number(const Action& action, const char* field) {
   return *number;
 }
 
-Result<std::vector<FrameChoice>> choices_of(const Action& action) {
+Result<std::vector<FrameChoice>> choices_of(const Action& action, const Vantage& present) {
   LUM_TRY(const std::vector<double> frames, action.numbers("frames"));
   LUM_TRY(const std::vector<double> weights, action.numbers("weights"));
   if (frames.empty()) return action.wrong("the frames that take part are wanted, as [0, 12]", "frames");
   if (!weights.empty() && weights.size() != frames.size()) {
     return action.wrong("a weight for each frame is wanted, or none", "weights");
   }
+  LUM_TRY(const std::vector<std::string> cameras, action.texts("cameras"));
+  if (!cameras.empty() && cameras.size() != frames.size()) {
+    return action.wrong("a camera for each frame is wanted, or none", "cameras");
+  }
   std::vector<FrameChoice> choices;
-  for (std::size_t i = 0; i < frames.size(); ++i) choices.push_back({frames[i], weights.empty() ? 1.0 : weights[i]});
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    const std::string& camera = cameras.empty() ? present.camera : cameras[i];
+    choices.push_back({{camera, frames[i]}, weights.empty() ? 1.0 : weights[i]});
+  }
   return choices;
 }
 
@@ -81,11 +88,13 @@ Result<void> ScriptRunner::key_interpolation(const Action& action) {
 
 Result<void> ScriptRunner::clear_paint(const Action& action) {
   LUM_TRY(const auto frame, action.number("frame"));
-  return Shots(*session_).clear_paint(frame.value_or(session_->shot().frame));
+  LUM_TRY(const auto camera, action.text("camera"));
+  const Vantage present = Shots(*session_).present();
+  return Shots(*session_).clear_paint({camera.value_or(present.camera), frame.value_or(present.frame)});
 }
 
 Result<void> ScriptRunner::solve_frames(const Action& action) {
-  LUM_TRY(const std::vector<FrameChoice> choices, choices_of(action));
+  LUM_TRY(const std::vector<FrameChoice> choices, choices_of(action, Shots(*session_).present()));
   LUM_TRY(const SolveOptions options, solve_options(action));
   LUM_TRY(const auto judge, action.flag("judge"));
   bool cancelled = false;

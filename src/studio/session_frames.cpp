@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "params/param_text.h"
-#include "project/paint_document.h"
+#include "project/frame_paint.h"
 #include "project/state_document.h"
 #include "studio/session.h"
 #include "studio/shots.h"
@@ -26,7 +26,7 @@ Result<void> Session::go_to(double frame) {
   ParamState next = state_;
   LUM_TRY_VOID(pose_lights(next.rig, *stage_, stage ? *stage : *stage_, frame));
   Document document = project_.document();
-  turn_paint(document, shot_.frame, frame);
+  turn_paint(document, vantage(), {vantage().camera, frame});
   write_shot(shot, document);
   write_state(next, document);
   LUM_TRY_VOID(commit("Go to frame " + number_text(frame), Json{{"do", "go_to"}, {"frame", frame}}.dump(), document));

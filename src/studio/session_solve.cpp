@@ -99,7 +99,7 @@ Result<void> Session::accept() {
   LUM_TRY_VOID(write_paint(rebased.state(), document, project_.tiles()));
   Solved accepted = *solved();
   for (const SolvedFrame& each : accepted.frames) {
-    if (each.frame != shot_.frame) put_frame_paint(document, each.frame, each.accepted);
+    if (each.at != vantage()) put_frame_paint(document, vantage(), each.at, each.accepted);
   }
   const SolveReport& report = accepted.report;
   const Json action = {{"do", "accept"},

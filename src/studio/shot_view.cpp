@@ -1,34 +1,19 @@
 #include "studio/shot_view.h"
 
-#include <map>
 #include <string>
 #include <utility>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "project/paint_document.h"
+#include "project/frame_paint.h"
+#include "studio/shots.h"
 #include "studio/style_reload.h"
 
 namespace luminist {
 namespace {
 
 using Json = nlohmann::json;
-
-/// The paint of this frame and of all others, and what counted before; how much counts what is not painted stays.
-void forget_paint(Document& document) {
-  std::map<std::string, std::string> kept;
-  for (const char* path : {"paint/nu", "paint/delta"}) {
-    if (const std::string_view value = document.get(path); !value.empty()) kept[path] = value;
-  }
-  document.erase_below("paint/");
-  for (const auto& [path, value] : kept) document.set(path, value);
-  std::vector<std::string> gone;
-  for (const auto& [path, value] : document.entries()) {
-    if (path.starts_with("frames/") && path.find("/paint/") != std::string::npos) gone.push_back(path);
-  }
-  for (const std::string& path : gone) document.set(path, "");
-}
 
 }  // namespace
 
@@ -48,11 +33,16 @@ Result<void> ShotView::reframe(const std::string& camera, int width, int height)
   LUM_TRY(auto stage, open_stage(*session.device_, session.roots_, shot, session.folder_, *session.diagnostics_,
                                  session.stage_->moving));
   Document document = session.project_.document();
-  const bool painted = session.painted();
-  forget_paint(document);
+  const bool resized = width != session.shot_.width || height != session.shot_.height;
+  const bool loses = resized && !Shots(session).painted().empty();
+  if (resized) {
+    forget_paint(document);
+  } else {
+    turn_paint(document, session.vantage(), {whole(camera), shot.frame});
+  }
   write_shot(shot, document);
   const std::string label = fmt::format("Look through {}, {} x {}{}", camera.empty() ? "the first camera" : camera,
-                                        width, height, painted ? ", without the paint" : "");
+                                        width, height, loses ? ", without the paint" : "");
   const Json action = {{"do", "reframe"}, {"camera", camera}, {"size", {width, height}}};
   LUM_TRY_VOID(session.commit(label, action.dump(), document));
   session.solved_.reset();

@@ -12,9 +12,10 @@ class ShotView {
  public:
   explicit ShotView(Session& session) : session_(&session) {}
 
-  /// Another camera ("": the scene's first) or size in pixels, as one command. What is painted, at any frame, was made
-  /// for the picture before and goes with it; undo brings both back. cost opening the shot.
-  /// errors kUsage for an unknown camera (nearest name) or a bad size, kLimit.
+  /// Another camera ("": the scene's first) or size in pixels, as one command. The paint of the camera that is left
+  /// stays with it. What is painted in another size, at any frame and by any camera, was made for the picture before
+  /// and goes with it; undo brings both back. cost opening the shot. errors kUsage for an unknown camera (nearest name)
+  /// or a bad size, kLimit.
   Result<void> reframe(const std::string& camera, int width, int height);
 
   /// The shot from anywhere, valid until the shot, its style or its frame is another. Nothing is recorded.

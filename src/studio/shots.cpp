@@ -1,5 +1,6 @@
 #include "studio/shots.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -88,18 +89,28 @@ Result<int> Shots::interpolate_keys(const std::string& pattern, double frame, Ke
 }
 
 std::vector<PaintedFrame> Shots::painted() const {
-  return painted_frames(session_->project_.document(), session_->shot_.frame);
+  std::vector<PaintedFrame> painted = painted_frames(session_->project_.document(), present());
+  const std::vector<std::string>& cameras = session_->stage_->camera_names;
+  std::erase_if(painted, [&](const PaintedFrame& each) {
+    return each.at.camera != present().camera && std::ranges::find(cameras, each.at.camera) == cameras.end();
+  });
+  return painted;
 }
 
-Result<void> Shots::clear_paint(double frame) {
-  if (frame == session_->shot_.frame) return session_->clear_paint();
+Result<void> Shots::clear_paint(const Vantage& at) {
+  if (at == present()) return session_->clear_paint();
   Document document = session_->project_.document();
-  if (!clear_frame_paint(document, frame)) {
-    return Error{ErrorKind::kNothingToDo, fmt::format("nothing is painted at frame {}", number_text(frame)), "",
-                 "frame", ""};
+  const std::string name = vantage_text(at, present());
+  if (!clear_frame_paint(document, present(), at)) {
+    return Error{ErrorKind::kNothingToDo, fmt::format("nothing is painted at {}", name), "", "frame", ""};
   }
-  return session_->commit(fmt::format("Clear the paint of frame {}", number_text(frame)),
-                          Json{{"do", "clear_paint"}, {"frame", frame}}.dump(), document);
+  return session_->commit(fmt::format("Clear the paint of {}", name),
+                          Json{{"do", "clear_paint"}, {"frame", at.frame}, {"camera", at.camera}}.dump(), document);
+}
+
+std::string vantage_text(const Vantage& at, const Vantage& present) {
+  const std::string frame = "frame " + number_text(at.frame);
+  return at.camera == present.camera ? frame : fmt::format("{} by {}", frame, at.camera);
 }
 
 }  // namespace luminist

@@ -10,11 +10,14 @@
 
 namespace luminist {
 
-/// A frame that takes part in a solve of several, and how much its error counts among the others'.
+/// A frame, seen by a camera, that takes part in a solve of several, and how much its error counts among the others'.
 struct FrameChoice {
-  double frame = 0.0;
+  Vantage at;
   double weight = 1.0;  ///< > 0
 };
+
+/// "frame 12", or "frame 12 by side" where that is another camera than the one that is looked through.
+std::string vantage_text(const Vantage& at, const Vantage& present);
 
 /// The calls of a session that look beyond its frame. Each is one gesture, as Session's are. Patterns are those of
 /// params_matching(): lights, parameters, or numbers of them as "lights/key/position.x"; styles have no keys.
@@ -32,18 +35,21 @@ class Shots {
   Result<int> move_keys(const std::string& pattern, double from, double to);
   Result<int> interpolate_keys(const std::string& pattern, double frame, KeyInterpolation interpolation);
 
+  /// What is looked at.
+  [[nodiscard]] Vantage present() const { return session_->vantage(); }
+  /// By any camera of the scene.
   [[nodiscard]] std::vector<PaintedFrame> painted() const;
   /// errors kNothingToDo: nothing is painted there.
-  Result<void> clear_paint(double frame);
+  Result<void> clear_paint(const Vantage& at);
 
-  /// One rig for the paint of several frames: the weighted mean of their errors. What it finds is the session's
-  /// proposal, with what became of each frame in Solved::pictures; accepting it answers the paint of all of them. The
-  /// style and the locks are the session's. What has keys stays as they say, in each frame what it is there; the rest
-  /// is what is found. judge: each frame's strokes, unless watch stopped the solve. look: told the lights found so far,
-  /// as the session's frame has them, whenever they are better; it may render. errors kUsage: fewer than two frames,
-  /// one twice, a weight that is not above zero, lights of the scene that move; kNothingToDo: nothing painted in one of
-  /// them, all that may change has keys; SharedSolve's, look's. cost a stage for each frame besides the session's own
-  /// where something moves; the solve.
+  /// One rig for the paint of several frames or cameras: the weighted mean of their errors. What it finds is the
+  /// session's proposal, with what became of each frame in Solved::pictures; accepting it answers the paint of all of
+  /// them. The style and the locks are the session's. What has keys stays as they say, in each frame what it is there;
+  /// the rest is what is found. judge: each frame's strokes, unless watch stopped the solve. look: told the lights
+  /// found so far, as the session's frame has them, whenever they are better; it may render. errors kUsage: fewer than
+  /// two, one twice, a weight that is not above zero, lights of the scene that move; kNothingToDo: nothing painted in
+  /// one of them, all that may change has keys; SharedSolve's, look's. cost a stage for each camera besides the
+  /// session's own, and for each frame where something moves; the solve.
   using Look = std::function<Result<void>(const ParamState&)>;
   Result<void> solve(std::span<const FrameChoice> frames, const SolveOptions& options, bool judge,
                      const Session::SolveWatch& watch, const Look& look = {});

@@ -23,20 +23,21 @@ struct FrameView {
   Canvas canvas;
 };
 
-Error wrong(std::string what, std::string hint) {
+Error unfit(std::string what, std::string hint) {
   return {ErrorKind::kUsage, std::move(what), "", "frames", std::move(hint)};
 }
 
-Result<void> check_choices(std::span<const FrameChoice> frames, const std::vector<PaintedFrame>& painted) {
-  if (frames.size() < 2) return wrong("a rig is shared by two frames at least", "solve this frame by itself");
+Result<void> check_choices(std::span<const FrameChoice> frames, const std::vector<PaintedFrame>& painted,
+                           const Vantage& present) {
+  if (frames.size() < 2) return unfit("a rig is shared by two frames or cameras at least", "solve this one by itself");
   for (std::size_t i = 0; i < frames.size(); ++i) {
-    const std::string name = number_text(frames[i].frame);
-    if (!(frames[i].weight > 0.0)) return wrong("a weight is above zero", "leave frame " + name + " out");
+    const std::string name = vantage_text(frames[i].at, present);
+    if (!(frames[i].weight > 0.0)) return unfit("a weight is above zero", "leave " + name + " out");
     for (std::size_t k = 0; k < i; ++k) {
-      if (frames[k].frame == frames[i].frame) return wrong(fmt::format("frame {} is named twice", name), "");
+      if (frames[k].at == frames[i].at) return unfit(fmt::format("{} is named twice", name), "");
     }
-    if (std::ranges::none_of(painted, [&](const PaintedFrame& each) { return each.frame == frames[i].frame; })) {
-      return Error{ErrorKind::kNothingToDo, fmt::format("nothing is painted at frame {}", name), "", "frames",
+    if (std::ranges::none_of(painted, [&](const PaintedFrame& each) { return each.at == frames[i].at; })) {
+      return Error{ErrorKind::kNothingToDo, fmt::format("nothing is painted at {}", name), "", "frames",
                    "paint the light that you want to see there"};
     }
   }
@@ -82,19 +83,22 @@ Result<void> check_shared(const ParamState& given, const LightRig& shared, const
 
 Result<FrameView> open_view(SessionData& session, const FrameChoice& choice) {
   std::unique_ptr<Stage> own;
-  if (session.stage_->moving && choice.frame != session.shot_.frame) {
+  const Vantage present = session.vantage();
+  const auto& [camera, frame] = choice.at;
+  if (camera != present.camera || (session.stage_->moving && frame != present.frame)) {
     Shot shot = session.shot_;
-    shot.frame = choice.frame;
+    shot.camera = camera;
+    shot.frame = frame;
     Diagnostics told_already;
     LUM_TRY(own,
             open_stage(*session.device_, session.roots_, shot, session.folder_, told_already, session.stage_->moving));
   }
   Renderer& renderer = own ? *own->renderer : *session.stage_->renderer;
   ParamState there = session.state_;
-  pose(there.rig, choice.frame);
+  pose(there.rig, frame);
   LUM_TRY(Image picture, renderer.render(there));
   Canvas canvas(renderer.surface(), std::move(picture), {});
-  const Document document = at_frame(session.project_.document(), session.shot_.frame, choice.frame);
+  const Document document = at_vantage(session.project_.document(), present, choice.at);
   LUM_TRY(CanvasState painted, read_paint(document, session.project_.tiles(), canvas.state()));
   canvas.restore(std::move(painted));
   return FrameView{choice, std::move(own), &renderer, std::move(canvas)};
@@ -102,7 +106,7 @@ Result<FrameView> open_view(SessionData& session, const FrameChoice& choice) {
 
 /// What became of one frame; its paint as it is when the lights are accepted.
 Result<SolvedFrame> outcome(SharedSolve& solve, std::size_t k, FrameView& view, TileStore& tiles, bool judged) {
-  SolvedFrame done{view.choice.frame, view.choice.weight, 0.0, 0.0, std::nullopt, {}};
+  SolvedFrame done{view.choice.at, view.choice.weight, 0.0, 0.0, std::nullopt, {}};
   LUM_TRY(const SharedSolve::Errors errors, solve.errors(k));
   done.start = errors.start;
   done.found = errors.found;
@@ -118,8 +122,8 @@ Result<SolvedFrame> outcome(SharedSolve& solve, std::size_t k, FrameView& view, 
 }
 
 /// Which of the frames is looked at; the first one if none is.
-std::size_t place_of(double frame, std::span<const FrameChoice> frames) {
-  const auto found = std::ranges::find(frames, frame, &FrameChoice::frame);
+std::size_t place_of(const Vantage& present, std::span<const FrameChoice> frames) {
+  const auto found = std::ranges::find(frames, present, &FrameChoice::at);
   return found == frames.end() ? 0 : static_cast<std::size_t>(found - frames.begin());
 }
 
@@ -138,23 +142,23 @@ Result<LightRig> starting_rig(const LightRig& rig, const FrameView& view, const 
 Result<void> Shots::solve(std::span<const FrameChoice> frames, const SolveOptions& options, bool judged,
                           const Session::SolveWatch& watch, const Look& look) {
   Session& session = *session_;
-  LUM_TRY_VOID(check_choices(frames, painted()));
+  LUM_TRY_VOID(check_choices(frames, painted(), present()));
   std::vector<FrameView> own;
   std::vector<View> views;
   for (const FrameChoice& choice : frames) {
     LUM_TRY(FrameView view, open_view(session, choice));
     LightRig there = session.state_.rig;
     LUM_TRY(const bool moves,
-            pose_lights(there, *session.stage_, view.own ? *view.own : *session.stage_, choice.frame));
+            pose_lights(there, *session.stage_, view.own ? *view.own : *session.stage_, choice.at.frame));
     if (moves) {
-      return wrong("lights of the scene that move differ from frame to frame",
+      return unfit("lights of the scene that move differ from frame to frame",
                    "move them by hand, so that they stay, or solve one frame after the other");
     }
     own.push_back(std::move(view));
   }
   for (const FrameView& view : own) {
-    const auto& [frame, weight] = view.choice;
-    const auto keys_at = session.state_.rig.keys.empty() ? std::nullopt : std::optional(frame);
+    const auto& [at, weight] = view.choice;
+    const auto keys_at = session.state_.rig.keys.empty() ? std::nullopt : std::optional(at.frame);
     views.push_back(
         {view.renderer, view.canvas.target(), session.state_.style, weight, session.state_.materials, keys_at});
   }
@@ -162,7 +166,7 @@ Result<void> Shots::solve(std::span<const FrameChoice> frames, const SolveOption
   LUM_TRY_VOID(check_shared(session.state_, shared, session.stage_->frame));
   LUM_TRY(const LightRig rig, starting_rig(shared, own.front(), session.stage_->frame));
   LUM_TRY(SharedSolve solve, SharedSolve::create(std::move(views), rig, options));
-  const std::size_t here = place_of(session.shot_.frame, frames);
+  const std::size_t here = place_of(present(), frames);
   bool stopped = false;
   double shown = std::numeric_limits<double>::infinity();
   for (bool more = true; more && !stopped;) {
@@ -180,7 +184,7 @@ Result<void> Shots::solve(std::span<const FrameChoice> frames, const SolveOption
   for (std::size_t k = 0; k < own.size(); ++k) {
     const bool may_judge = judged && !stopped;
     LUM_TRY(SolvedFrame done, outcome(solve, k, own[k], session.project_.tiles(), may_judge));
-    if (done.frame == session.shot_.frame) solved.verdict = done.verdict;
+    if (done.at == present()) solved.verdict = done.verdict;
     solved.frames.push_back(std::move(done));
     stopped = stopped || (watch && !watch(solve.report()));
   }

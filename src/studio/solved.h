@@ -4,20 +4,20 @@
 #include <string>
 #include <vector>
 
-#include "project/document.h"
+#include "project/frame_paint.h"
 #include "solve/solve_session.h"
 #include "verdict/verdict.h"
 
 namespace luminist {
 
-/// What a solve of several frames came to at one of them.
+/// What a solve of several frames or cameras came to at one of them.
 struct SolvedFrame {
-  double frame = 0.0;
+  Vantage at;
   double weight = 1.0;
   double start = 0.0;  ///< error before, without penalties
   double found = 0.0;
   std::optional<Verdict> verdict;  ///< of its strokes; empty if none was asked for
-  Document accepted;               ///< "paint/..." of the frame once the lights are accepted
+  Document accepted;               ///< its "paint/..." once the lights are accepted
 };
 
 struct Solved {

@@ -10,8 +10,6 @@
 namespace luminist {
 namespace {
 
-constexpr float kPiF = static_cast<float>(kPi);
-
 /// Light that arrives at a vertex and is reflected towards the eye, if nothing stands between.
 struct Arrival {
   Vec3 radiance{0.0F};

@@ -6,7 +6,6 @@
 namespace luminist {
 namespace {
 
-constexpr float kPiF = static_cast<float>(kPi);
 constexpr float kSmall = 0.02F;  // steradians: below, its angles differ from those of a plane by what floats lose
 
 /// Of a plane through the origin and a side of a rectangle at height z, in the rectangle's own axes.

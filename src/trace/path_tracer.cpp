@@ -24,10 +24,6 @@ constexpr float kDullReflectance = 0.1F;  // ...where what reflects less at norm
 enum Dimension : std::uint32_t { kPixel, kFirstVertex };
 enum VertexDimension : std::uint32_t { kLobe, kDirection, kRigLight, kEmitter, kEmitterPlace, kPerVertex };
 
-float largest(const Vec3& v) {
-  return std::max({v.x, v.y, v.z});
-}
-
 }  // namespace
 
 void LightPaths::clear() {

@@ -28,8 +28,8 @@ struct Scratch {
 
 /// What a path brings, with no more than `most` in any channel by way of a second surface.
 Vec3 held(const Vec3& color, const Vec3& later, float most) {
-  const float largest = std::max({later.x, later.y, later.z});
-  return most > 0.0F && largest > most ? color - (1.0F - most / largest) * later : color;
+  const float brightest = largest(later);
+  return most > 0.0F && brightest > most ? color - (1.0F - most / brightest) * later : color;
 }
 
 /// Samples from .. to of a pixel. returns the number of shadow rays.

@@ -6,12 +6,6 @@
 namespace luminist {
 namespace {
 
-constexpr float kPiF = static_cast<float>(kPi);
-
-float largest(const Vec3& v) {
-  return std::max({v.x, v.y, v.z});
-}
-
 Vec3 fresnel(const Reflection& surface, float cosine) {
   const float rest = std::clamp(1.0F - cosine, 0.0F, 1.0F);
   const float rest5 = rest * rest * rest * rest * rest;

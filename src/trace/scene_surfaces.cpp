@@ -70,7 +70,7 @@ SceneSurfaces::SceneSurfaces(Scene scene) : scene_(std::move(scene)) {
   const Box box = scene_.bounds(true);
   if (!box.empty()) {
     const Vec3 far = glm::max(glm::abs(box.lo), glm::abs(box.hi));
-    reach = std::max(std::max({far.x, far.y, far.z}), box.radius());
+    reach = std::max(largest(far), box.radius());
   }
   clearance_ = kClearance * (reach > 0.0F ? reach : 1.0F);
 }

@@ -5,7 +5,7 @@
 namespace luminist {
 namespace {
 
-constexpr int kVariants = 9;            // of each group
+constexpr int kGroupVariants = 9;       // of each group
 constexpr std::size_t kFinalists = 12;  // groups that descend
 
 /// Whether unlocking it would free it: what follows another light has no lock of its own to open.
@@ -105,7 +105,7 @@ Result<std::vector<Unlocking>> best_unlockings(Renderer& renderer, const ParamSt
   for (const LockedGroup& group : groups) {
     first.push_back(variants.size());
     const ParamState free = unlocked(state, group);
-    for (ParamState& v : block_variants(free, group.block, places, renderer.frame(), kVariants, random)) {
+    for (ParamState& v : block_variants(free, group.block, places, renderer.frame(), kGroupVariants, random)) {
       variants.push_back(std::move(v));
       blocks.push_back(group.block);
     }

@@ -20,6 +20,9 @@ enum class Method {
 std::span<const std::string> method_words();
 const std::string& to_word(Method method);
 
+/// A goal where a light is looked for that was moved away: of the start's epsilon; the paper's.
+inline constexpr double kReached = 0.05;
+
 struct BenchTask {
   ParamState start;  ///< what is unlocked may turn
   Target target;

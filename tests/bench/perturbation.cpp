@@ -9,8 +9,8 @@
 namespace luminist {
 namespace {
 
-constexpr double kWork = 0.5;              // of what taking a light away changes
-constexpr double kFirstStep = 1.0 / 64.0;  // of the way to the end of [0,1]
+constexpr double kWork = 0.5;                     // of what taking a light away changes
+constexpr double kPerturbationStep = 1.0 / 64.0;  // of the way to the end of [0,1]
 constexpr int kBisections = 4;
 
 /// How far x[dof] can go towards `end` before epsilon exceeds `limit`: doubled steps, then bisection.
@@ -22,7 +22,7 @@ Result<double> last_useful(Objective& objective, std::vector<double> x, std::siz
     return epsilon <= limit;
   };
   double good = 0.0;
-  double bad = kFirstStep;
+  double bad = kPerturbationStep;
   for (; bad <= 1.0; bad *= 2.0) {
     LUM_TRY(const bool still, useful(bad));
     if (!still) break;

@@ -8,7 +8,6 @@
 namespace luminist {
 namespace {
 
-constexpr double kGoal = 0.05;
 constexpr float kUnpainted = 0.1F;  // nu
 
 /// The light of section 5.2 in an otherwise dark rig, all 18 degrees of freedom free.
@@ -21,7 +20,7 @@ Result<BenchTask> recovery_task(const BenchStage& stage, std::uint64_t seed) {
   BenchTask task{dark, std::move(hidden.target)};
   task.start.rig.lights.push_back(light);
   LUM_TRY(const double epsilon, stage.renderer().error(task.start, task.target));
-  task.goal = kGoal * epsilon;
+  task.goal = kReached * epsilon;
   return task;
 }
 

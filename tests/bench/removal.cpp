@@ -14,7 +14,7 @@
 namespace luminist {
 namespace {
 
-constexpr PaintedPlan kPlan{{512, 512}, {128, 128}, 20, 2};
+constexpr PaintedPlan kRemovalPlan{{512, 512}, {128, 128}, 20, 2};
 
 using Roles = std::vector<std::string_view>;
 
@@ -51,7 +51,7 @@ Result<BenchTask> removal_task(const BenchStage& stage, const Roles& roles) {
 Result<void> say_dofs(Device& device, const BenchSuite& suite, const BenchScene& scene, const std::string& task,
                       const Roles& roles) {
   LUM_TRY(const BenchStage stage,
-          open_bench_stage(device, scene, kPlan.baseline_size.width, kPlan.baseline_size.height));
+          open_bench_stage(device, scene, kRemovalPlan.baseline_size.width, kRemovalPlan.baseline_size.height));
   LUM_TRY(const BenchTask made, removal_task(stage, roles));
   const std::vector<std::string> names = free_names(made.start, stage.frame());
   const nlohmann::ordered_json line{{"bench", "removal"}, {"kind", "dofs"},       {"scene", scene.name},
@@ -75,7 +75,7 @@ Result<void> run_removal(Device& device, const SuiteOptions& options) {
       cases.push_back(
           {task, [&free](const BenchStage& stage, std::uint64_t) { return removal_task(stage, free); }, true});
     }
-    LUM_TRY_VOID(run_painted(device, suite, demo_scene(name), cases, kPlan));
+    LUM_TRY_VOID(run_painted(device, suite, demo_scene(name), cases, kRemovalPlan));
   }
   return {};
 }

@@ -14,7 +14,6 @@
 namespace luminist {
 namespace {
 
-constexpr double kGoal = 0.05;
 constexpr PerturbReach kReach{0.01, 0.03};
 constexpr PictureSize kSize{256, 256};
 constexpr int kSeeds = 3;
@@ -87,7 +86,7 @@ Result<BenchTask> moved_task(const BenchStage& stage, const Point& point, std::u
   const std::vector<UnitRange> whole(static_cast<std::size_t>(free_dofs(original, stage.frame())));
   BenchTask task{perturbed(original, stage.frame(), whole, kReach, random), whole_picture(picture, picture)};
   LUM_TRY(const double epsilon, stage.renderer().error(task.start, task.target));
-  task.goal = kGoal * epsilon;
+  task.goal = kReached * epsilon;
   return task;
 }
 

@@ -13,7 +13,7 @@
 namespace luminist {
 namespace {
 
-constexpr PaintedPlan kPlan{{512, 512}, {128, 128}, 20, 5};
+constexpr PaintedPlan kShadowPlan{{512, 512}, {128, 128}, 20, 5};
 constexpr float kBrush = 0.08F;        // diameter of a dab, picture heights
 constexpr std::size_t kLeastDabs = 5;  // of shadow and of light: less is no request
 
@@ -112,7 +112,7 @@ Result<void> run_shadow(Device& device, const SuiteOptions& options) {
                            return shadow_task(probe, stage, aims, seed);
                          }};
     };
-    LUM_TRY_VOID(run_painted(device, suite, scene, {case_of("3", false), case_of("7", true)}, kPlan));
+    LUM_TRY_VOID(run_painted(device, suite, scene, {case_of("3", false), case_of("7", true)}, kShadowPlan));
   }
   return {};
 }

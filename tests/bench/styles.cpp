@@ -14,9 +14,9 @@
 namespace luminist {
 namespace {
 
-constexpr PaintedPlan kPlan{{512, 512}, {128, 128}, 20, 5};
+constexpr PaintedPlan kStylesPlan{{512, 512}, {128, 128}, 20, 5};
 constexpr std::array<int, 2> kLights{1, 3};  // of a task: the first of the rig
-constexpr float kBrush = 0.06F;              // diameter of a dab, picture heights
+constexpr float kStylesBrush = 0.06F;        // diameter of a dab, picture heights
 constexpr float kVisible = 0.05F;            // of the brightest pixel: what a painter would change
 constexpr double kLeastPainted = 0.03;       // of the picture
 
@@ -54,7 +54,7 @@ Result<StrokeFile> style_paint(const BenchStage& probe, const ParamState& start,
     const auto painted = std::count(mask.begin(), mask.end(), 1);
     if (static_cast<double>(painted) < kLeastPainted * static_cast<double>(mask.size())) continue;
     Brush brush;
-    brush.diameter = kBrush;
+    brush.diameter = kStylesBrush;
     brush.texture = 0.0F;
     StrokeFile file;
     file.strokes = colored_dabs(brush, wanted, mask, random);
@@ -76,7 +76,7 @@ Result<void> run_style(Device& device, BenchSuite& suite, const BenchScene& scen
     LUM_TRY_VOID(canvas.apply(strokes, "generated"));
     return BenchTask{std::move(start), canvas.target()};
   };
-  return run_painted(device, suite, scene, {{task, make}}, kPlan);
+  return run_painted(device, suite, scene, {{task, make}}, kStylesPlan);
 }
 
 std::string task_name(const std::string& style, int lights) {

@@ -14,7 +14,6 @@
 namespace luminist {
 namespace {
 
-constexpr double kGoal = 0.05;  // of the start's epsilon: the paper's
 constexpr PictureSize kFastSize{512, 512};
 constexpr PictureSize kBaselineSize{128, 128};
 constexpr PictureSize kProbe{96, 96};  // where useful ranges are measured
@@ -84,7 +83,7 @@ Result<BenchTask> perturbed_task(const BenchStage& stage, const ParamState& orig
   for (int i = 0; i < kDraws; ++i) {
     task.start = perturbed(original, stage.frame(), reach.ranges, reach.share, random);
     LUM_TRY(const double epsilon, stage.renderer().error(task.start, task.target));
-    task.goal = kGoal * epsilon;
+    task.goal = kReached * epsilon;
     if (epsilon > least) return task;
   }
   return Error{ErrorKind::kLimit, "no random change of these lights can be seen", stage.scene, "rows", ""};

@@ -14,8 +14,8 @@ namespace luminist {
 namespace {
 
 constexpr float kAspect = 1.5F;
-constexpr int kHeight = 480;
-constexpr int kWidth = 720;
+constexpr int kPictureHeight = 480;
+constexpr int kPictureWidth = 720;
 
 /// A ball of radius 1, 96 x 48 facets.
 Mesh ball_mesh() {
@@ -97,11 +97,12 @@ class AnchoredStrokeTest : public ::testing::Test {
     std::vector<Vec3> places;
     const PaintView seen = view();
     for (const Stroke& stroke : strokes) {
-      const Coverage coverage = stroke_coverage(stroke.points, stroke.brush.diameter, kWidth, kHeight);
+      const Coverage coverage = stroke_coverage(stroke.points, stroke.brush.diameter, kPictureWidth, kPictureHeight);
       for (int y = coverage.box.y0; y < coverage.box.y1; ++y) {
         for (int x = coverage.box.x0; x < coverage.box.x1; ++x) {
           if (coverage.at(x, y) < kPaintEdge) continue;
-          const StrokePoint middle{(static_cast<float>(x) + 0.5F) / kHeight, (static_cast<float>(y) + 0.5F) / kHeight};
+          const StrokePoint middle{(static_cast<float>(x) + 0.5F) / kPictureHeight,
+                                   (static_cast<float>(y) + 0.5F) / kPictureHeight};
           const auto hit = seen.at(middle, 0);
           if (!hit.hit()) continue;
           places.push_back(blend(seen.corners(0, hit.triangle), hit.weights()));

@@ -11,8 +11,8 @@
 namespace luminist {
 namespace {
 
-constexpr int kWidth = 120;
-constexpr int kHeight = 100;
+constexpr int kCanvasWidth = 120;
+constexpr int kCanvasHeight = 100;
 constexpr int kMiddleX = 60;
 constexpr int kMiddleY = 50;
 
@@ -46,15 +46,15 @@ class CanvasTest : public ::testing::Test {
            a.peak.has_value() == b.peak.has_value();
   }
 
-  SurfaceBuffer surface_ = ball_surface(kWidth, kHeight);
-  Image picture_ = varied_picture(kWidth, kHeight);
-  Image dark_ = varied_picture(kWidth, kHeight, 0.02F);
-  Image bright_ = varied_picture(kWidth, kHeight, 0.7F);
-  Image copied_ = varied_picture(kWidth, kHeight, 0.5F);
+  SurfaceBuffer surface_ = ball_surface(kCanvasWidth, kCanvasHeight);
+  Image picture_ = varied_picture(kCanvasWidth, kCanvasHeight);
+  Image dark_ = varied_picture(kCanvasWidth, kCanvasHeight, 0.02F);
+  Image bright_ = varied_picture(kCanvasWidth, kCanvasHeight, 0.7F);
+  Image copied_ = varied_picture(kCanvasWidth, kCanvasHeight, 0.5F);
   int rendered_ = 0;
   /// The middle of the middle pixel.
-  static constexpr float kX = (kMiddleX + 0.5F) / kHeight;
-  static constexpr float kY = (kMiddleY + 0.5F) / kHeight;
+  static constexpr float kX = (kMiddleX + 0.5F) / kCanvasHeight;
+  static constexpr float kY = (kMiddleY + 0.5F) / kCanvasHeight;
 };
 
 TEST_F(CanvasTest, StartsUnpainted) {
@@ -119,8 +119,8 @@ TEST_F(CanvasTest, PaintedIsWhatLiesInTheBrushesCircle) {
   brush.opacity = 0.05F;  // a faint glaze is paint all the same
   Canvas c = canvas();
   LUM_EXPECT_OK(c.apply(click(brush, kX, kY), ""));
-  for (int y = 0; y < kHeight; ++y) {
-    for (int x = 0; x < kWidth; ++x) {
+  for (int y = 0; y < kCanvasHeight; ++y) {
+    for (int x = 0; x < kCanvasWidth; ++x) {
       const double distance = std::hypot(x - kMiddleX, y - kMiddleY);
       if (std::abs(distance - 10.0) < 1e-6) continue;  // on the circle rounding decides
       EXPECT_EQ(id(c, x, y), distance < 10.0 ? 1U : 0U) << x << ", " << y;
@@ -148,8 +148,8 @@ TEST_F(CanvasTest, TouchesOnlyTheBoxItReturns) {
   Canvas c = canvas();
   LUM_ASSERT_OK(const PixelBox box, c.apply(click(brush, 0.3F, 0.4F), ""));
   EXPECT_LE(box.width(), 21);
-  for (int y = 0; y < kHeight; ++y) {
-    for (int x = 0; x < kWidth; ++x) {
+  for (int y = 0; y < kCanvasHeight; ++y) {
+    for (int x = 0; x < kCanvasWidth; ++x) {
       const bool inside = x >= box.x0 && x < box.x1 && y >= box.y0 && y < box.y1;
       if (inside) continue;
       ASSERT_EQ(color(c, x, y), before(x, y));
@@ -167,7 +167,7 @@ TEST_F(CanvasTest, AStrokeOfNoOpacityPaintsNothing) {
 }
 
 TEST_F(CanvasTest, PaintThatBehavesLikeLightLeavesTheBackgroundBlack) {
-  picture_ = Image(kWidth, kHeight, 3, 0.0F);
+  picture_ = Image(kCanvasWidth, kCanvasHeight, 3, 0.0F);
   Brush brush;
   brush.bucket = true;
   Canvas c = canvas();
@@ -305,7 +305,7 @@ TEST_F(CanvasTest, ScreenGradientThinsThePaint) {
   brush.gradient = 1.0F;
   brush.screen_gradient = true;
   Canvas c = canvas();
-  const float pixel = 1.0F / kHeight;
+  const float pixel = 1.0F / kCanvasHeight;
   LUM_EXPECT_OK(c.apply({brush, {{20.5F * pixel, 0.5F}, {100.5F * pixel, 0.5F}}}, ""));
   expect_near(color(c, 40, 10), 0.25F * before(40, 10) + 0.75F * brush.color);
   EXPECT_EQ(color(c, 110, 10), before(110, 10));

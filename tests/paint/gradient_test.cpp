@@ -8,7 +8,7 @@
 namespace luminist {
 namespace {
 
-constexpr int kSize = 101;  // odd: the middle pixel's centre is the middle of the ball
+constexpr int kBallSide = 101;  // odd: the middle pixel's centre is the middle of the ball
 
 class GradientTest : public ::testing::Test {
  protected:
@@ -26,7 +26,7 @@ class GradientTest : public ::testing::Test {
     const Vec3 to_eye = glm::normalize(surface_.eye - surface_.position[i]);
     return glm::reflect(-to_eye, surface_.normal[i]);
   }
-  SurfaceBuffer surface_ = ball_surface(kSize, kSize);
+  SurfaceBuffer surface_ = ball_surface(kBallSide, kBallSide);
 };
 
 TEST_F(GradientTest, OfADiffusePeakIsTheCosineOfTheTurningNormal) {
@@ -108,7 +108,7 @@ TEST_F(GradientTest, RepeatsTheLastPeakAndItsKind) {
 TEST_F(GradientTest, OnTheScreenRunsOutFromTheFirstPointToTheLast) {
   Brush b = brush(1.0F);
   b.screen_gradient = true;
-  const float pixel = 1.0F / kSize;
+  const float pixel = 1.0F / kBallSide;
   const Stroke stroke{b, {{20.5F * pixel, 0.0F}, {50.0F * pixel, 0.9F}, {80.5F * pixel, 0.0F}}};
   LUM_ASSERT_OK(const Gradient g, create(stroke));
   EXPECT_NEAR(g.factor(surface_, 10, 7), 1.0F, 1e-5F);

@@ -8,7 +8,7 @@
 namespace luminist {
 namespace {
 
-constexpr int kSize = 64;
+constexpr int kMapSide = 64;
 
 Canvas::ShadowSource no_shadows() {
   return [](ShadowPicture) -> Result<Image> { return Error{ErrorKind::kGl, "no shadows here", "", "", ""}; };
@@ -16,13 +16,13 @@ Canvas::ShadowSource no_shadows() {
 
 /// Figure 4 of the paper: fruit painted in the past, the jug now. Left is the fruit, right the jug.
 struct Figure4 {
-  SurfaceBuffer surface = ball_surface(kSize, kSize);
-  Canvas canvas{surface, Image(kSize, kSize, 3, 0.1F), no_shadows()};
+  SurfaceBuffer surface = ball_surface(kMapSide, kMapSide);
+  Canvas canvas{surface, Image(kMapSide, kMapSide, 3, 0.1F), no_shadows()};
 
   Figure4(float nu, float delta) {
     canvas.set_importance(nu, delta);
     fill("ball left");
-    canvas.rebase(Image(kSize, kSize, 3, 0.2F));
+    canvas.rebase(Image(kMapSide, kMapSide, 3, 0.2F));
     fill("ball right");
   }
   void fill(const std::string& object) {
@@ -32,8 +32,8 @@ struct Figure4 {
     LUM_EXPECT_OK(canvas.apply({brush, {}}, ""));
   }
   [[nodiscard]] float background() const { return canvas.target().importance.at(0, 0, 0); }
-  [[nodiscard]] float fruit() const { return canvas.target().importance.at(kSize / 2 - 5, kSize / 2, 0); }
-  [[nodiscard]] float jug() const { return canvas.target().importance.at(kSize / 2 + 5, kSize / 2, 0); }
+  [[nodiscard]] float fruit() const { return canvas.target().importance.at(kMapSide / 2 - 5, kMapSide / 2, 0); }
+  [[nodiscard]] float jug() const { return canvas.target().importance.at(kMapSide / 2 + 5, kMapSide / 2, 0); }
 };
 
 TEST(Importance, FollowsFigure4ForEveryNuAndDelta) {
@@ -48,8 +48,8 @@ TEST(Importance, FollowsFigure4ForEveryNuAndDelta) {
 }
 
 TEST(Importance, OfAFreshCanvasIsNu) {
-  const SurfaceBuffer surface = ball_surface(kSize, kSize);
-  Canvas canvas(surface, Image(kSize, kSize, 3), no_shadows());
+  const SurfaceBuffer surface = ball_surface(kMapSide, kMapSide);
+  Canvas canvas(surface, Image(kMapSide, kMapSide, 3), no_shadows());
   canvas.set_importance(0.3F, 0.9F);
   for (const float i : canvas.target().importance.data) EXPECT_FLOAT_EQ(i, 0.3F);
   canvas.set_importance(0.6F, 0.2F);  // the previous map starts as nu, whatever nu becomes before the first solve
@@ -63,7 +63,7 @@ TEST(Importance, DoesNotAdvanceUntilASolveIsAccepted) {
   f.canvas.set_importance(0.9F, 0.9F);
   f.canvas.set_importance(0.2F, 0.5F);
   EXPECT_FLOAT_EQ(f.fruit(), fruit);
-  f.canvas.rebase(Image(kSize, kSize, 3));
+  f.canvas.rebase(Image(kMapSide, kMapSide, 3));
   EXPECT_FLOAT_EQ(f.fruit(), 0.5F * 0.2F + 0.5F * fruit);
   EXPECT_FLOAT_EQ(f.jug(), 0.5F * 0.2F + 0.5F * 1.0F);
 }
@@ -101,24 +101,24 @@ TEST(Importance, PaintedByHandBecomesHistory) {
   brush.importance = 0.0F;
   brush.bucket = true;
   LUM_EXPECT_OK(f.canvas.apply(Stroke{brush, {}}, ""));
-  f.canvas.rebase(Image(kSize, kSize, 3));
+  f.canvas.rebase(Image(kMapSide, kMapSide, 3));
   EXPECT_FLOAT_EQ(f.background(), 0.5F * 0.2F + 0.5F * 0.0F);
 }
 
 TEST(Importance, PaintAloneIsNoPaintInColour) {
-  const SurfaceBuffer surface = ball_surface(kSize, kSize);
-  Canvas canvas(surface, Image(kSize, kSize, 3), no_shadows());
+  const SurfaceBuffer surface = ball_surface(kMapSide, kMapSide);
+  Canvas canvas(surface, Image(kMapSide, kMapSide, 3), no_shadows());
   Brush brush;
   brush.tool = PaintTool::kImportance;
   LUM_EXPECT_OK(canvas.apply(click(brush, 0.5F, 0.5F), ""));
   EXPECT_FALSE(canvas.painted());
-  EXPECT_GT(canvas.target().importance.at(kSize / 2, kSize / 2, 0), 0.9F);
+  EXPECT_GT(canvas.target().importance.at(kMapSide / 2, kMapSide / 2, 0), 0.9F);
 }
 
 /// A canvas in which a verdict's remedy has said how much counts what is not painted.
 struct Remedied {
-  SurfaceBuffer surface = ball_surface(kSize, kSize);
-  Canvas canvas{surface, Image(kSize, kSize, 3), no_shadows()};
+  SurfaceBuffer surface = ball_surface(kMapSide, kMapSide);
+  Canvas canvas{surface, Image(kMapSide, kMapSide, 3), no_shadows()};
 
   Remedied() {
     canvas.set_importance(0.3F, 0.5F);
@@ -127,7 +127,7 @@ struct Remedied {
     LUM_EXPECT_OK(canvas.relayer(std::move(layers), ""));
   }
   [[nodiscard]] float corner() const { return canvas.target().importance.at(0, 0, 0); }
-  [[nodiscard]] float middle() const { return canvas.target().importance.at(kSize / 2, kSize / 2, 0); }
+  [[nodiscard]] float middle() const { return canvas.target().importance.at(kMapSide / 2, kMapSide / 2, 0); }
 };
 
 TEST(Importance, PaintedWinsOverWhatARemedySays) {

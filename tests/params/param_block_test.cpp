@@ -10,7 +10,7 @@
 namespace luminist {
 namespace {
 
-constexpr const char* kManifest = R"(
+constexpr const char* kBlockManifest = R"(
 [[param]]
 name = "place"
 type = "vec3"
@@ -62,7 +62,7 @@ doc = "d"
 class ParamBlockTest : public ::testing::Test {
  protected:
   ParamBlockTest() {
-    auto schema = ParamSchema::parse(kManifest, "test.toml");
+    auto schema = ParamSchema::parse(kBlockManifest, "test.toml");
     EXPECT_TRUE(schema) << (schema ? "" : schema.error().message());
     schema_ = *schema;
   }

@@ -10,7 +10,7 @@
 namespace luminist {
 namespace {
 
-std::shared_ptr<const ParamSchema> parsed(std::string_view manifest) {
+std::shared_ptr<const ParamSchema> parsed_schema(std::string_view manifest) {
   auto schema = ParamSchema::parse(manifest, "test.toml");
   EXPECT_TRUE(schema.has_value()) << (schema ? "" : schema.error().message());
   return schema ? *schema : nullptr;
@@ -24,7 +24,7 @@ std::string table(const std::string& name, const std::string& type, const std::s
 }
 
 TEST(ParamSchema, ReadsEveryKeyOfAParameter) {
-  const auto schema = parsed(
+  const auto schema = parsed_schema(
       "doc = \"the caller's\"\n[[param]]\nname = \"barn\"\ntype = \"vec3\"\ndefault = [0.3, 0.4, 0.1]\n"
       "range = [[0.1, 0.2, 0.01], [1, 2, 0.5]]\nscale = \"log\"\nunit = \"tan angle\"\ngroup = \"Shape\"\n"
       "role = \"shape\"\nsolve = true\nquality = false\ndoc = \"Half width.\"\n");
@@ -45,23 +45,23 @@ TEST(ParamSchema, ReadsEveryKeyOfAParameter) {
 }
 
 TEST(ParamSchema, BroadcastsOneRangeToEveryComponent) {
-  const auto schema = parsed(table("tint", "color", "[1, 1, 1]", "[0, 4]"));
+  const auto schema = parsed_schema(table("tint", "color", "[1, 1, 1]", "[0, 4]"));
   EXPECT_EQ((*schema)[0].range_min, (std::vector{0.0, 0.0, 0.0}));
   EXPECT_EQ((*schema)[0].range_max, (std::vector{4.0, 4.0, 4.0}));
 }
 
 TEST(ParamSchema, NormalizesTheDefaultOfADirection) {
-  const auto schema = parsed(table("aim", "direction", "[0, -3, 4]", "[-1, 1]"));
+  const auto schema = parsed_schema(table("aim", "direction", "[0, -3, 4]", "[-1, 1]"));
   EXPECT_EQ((*schema)[0].default_value, (std::vector{0.0, -0.6, 0.8}));
 }
 
 TEST(ParamSchema, PlacesMembersAsStd140Does) {
-  const auto schema = parsed(table("a", "float", "0", "[0, 1]") + table("b", "vec2", "[0, 0]", "[0, 1]") +
-                             table("c", "float", "0", "[0, 1]") + table("d", "vec3", "[0, 0, 0]", "[0, 1]") +
-                             table("e", "float", "0", "[0, 1]") + table("f", "color", "[0, 0, 0]", "[0, 1]") +
-                             table("g", "direction", "[0, 0, 1]", "[-1, 1]") + table("h", "bool", "true", "") +
-                             table("i", "int", "3", "[0, 9]") +
-                             table("j", "choice", "\"soft\"", "", "choices = [\"hard\", \"soft\"]\n"));
+  const auto schema = parsed_schema(table("a", "float", "0", "[0, 1]") + table("b", "vec2", "[0, 0]", "[0, 1]") +
+                                    table("c", "float", "0", "[0, 1]") + table("d", "vec3", "[0, 0, 0]", "[0, 1]") +
+                                    table("e", "float", "0", "[0, 1]") + table("f", "color", "[0, 0, 0]", "[0, 1]") +
+                                    table("g", "direction", "[0, 0, 1]", "[-1, 1]") + table("h", "bool", "true", "") +
+                                    table("i", "int", "3", "[0, 9]") +
+                                    table("j", "choice", "\"soft\"", "", "choices = [\"hard\", \"soft\"]\n"));
   const std::size_t by_hand[] = {0, 8, 16, 32, 44, 48, 64, 76, 80, 84};
   ASSERT_EQ(schema->size(), 10);
   for (int i = 0; i < 10; ++i) EXPECT_EQ((*schema)[i].offset, by_hand[i]) << (*schema)[i].name;
@@ -72,9 +72,9 @@ TEST(ParamSchema, PlacesMembersAsStd140Does) {
 }
 
 TEST(ParamSchema, CountsDegreesOfFreedomInOrder) {
-  const auto schema = parsed(table("on", "bool", "true", "") + table("aim", "direction", "[0, 0, 1]", "[-1, 1]") +
-                             table("blur", "float", "0.1", "[0, 1]", "quality = true\n") +
-                             table("tint", "color", "[1, 1, 1]", "[0, 4]"));
+  const auto schema = parsed_schema(
+      table("on", "bool", "true", "") + table("aim", "direction", "[0, 0, 1]", "[-1, 1]") +
+      table("blur", "float", "0.1", "[0, 1]", "quality = true\n") + table("tint", "color", "[1, 1, 1]", "[0, 4]"));
   EXPECT_EQ((*schema)[1].first_dof, 0);
   EXPECT_EQ((*schema)[2].dofs(), 0);  // a quality
   EXPECT_EQ((*schema)[3].first_dof, 2);
@@ -82,15 +82,15 @@ TEST(ParamSchema, CountsDegreesOfFreedomInOrder) {
 }
 
 TEST(ParamSchema, OfNothingIsAStructThatGlslAccepts) {
-  const auto schema = parsed("doc = \"none\"\n");
+  const auto schema = parsed_schema("doc = \"none\"\n");
   EXPECT_EQ(schema->size(), 0);
   EXPECT_EQ(schema->byte_size(), 16U);
   EXPECT_EQ(schema->glsl_struct("Empty"), "struct Empty {\n  float unused;\n};\n");
 }
 
 TEST(ParamSchema, FindsByNameAndByRole) {
-  const auto schema = parsed(table("near", "float", "0", "[0, 1]", "role = \"cutoff\"\n") +
-                             table("far", "float", "1", "[0, 1]", "role = \"cutoff\"\n"));
+  const auto schema = parsed_schema(table("near", "float", "0", "[0, 1]", "role = \"cutoff\"\n") +
+                                    table("far", "float", "1", "[0, 1]", "role = \"cutoff\"\n"));
   EXPECT_EQ(schema->find("far"), 1);
   EXPECT_EQ(schema->find("middle"), std::nullopt);
   EXPECT_EQ(schema->by_role("cutoff"), 0);
@@ -160,7 +160,7 @@ TEST(ParamSchema, ReportsEachMistakeAtItsPlace) {
 TEST(ParamSchema, RefusesMoreThanAThousandParameters) {
   std::string manifest;
   for (int i = 0; i < 1000; ++i) manifest += table(fmt::format("p{}", i), "float", "0", "[0, 1]");
-  EXPECT_EQ(parsed(manifest)->size(), 1000);
+  EXPECT_EQ(parsed_schema(manifest)->size(), 1000);
   const Error error = error_of(ParamSchema::parse(manifest + table("last", "float", "0", "[0, 1]"), "test.toml"));
   EXPECT_EQ(error.where, "test.toml:6002:8");
   EXPECT_NE(error.what.find("more than 1000"), std::string::npos);
@@ -193,9 +193,9 @@ TEST(ParamSchema, MadeInCppObeysTheSameRules) {
 
 TEST(ParamSpec, TurnsSceneRadiiIntoWorldLengthsAndBack) {
   const auto schema =
-      parsed(table("place", "vec3", "[0, 0, 0]", "[-4, 4]", "scale = \"scene\"\nrole = \"position\"\n") +
-             table("reach", "float", "1", "[0, 4]", "scale = \"scene\"\nrole = \"cutoff\"\n") +
-             table("power", "float", "1", "[0, 4]"));
+      parsed_schema(table("place", "vec3", "[0, 0, 0]", "[-4, 4]", "scale = \"scene\"\nrole = \"position\"\n") +
+                    table("reach", "float", "1", "[0, 4]", "scale = \"scene\"\nrole = \"cutoff\"\n") +
+                    table("power", "float", "1", "[0, 4]"));
   const SceneFrame frame{Vec3(10.0F, 20.0F, 30.0F), 2.0F};
   EXPECT_EQ((*schema)[0].stored(1, 1.5, frame), 23.0);
   EXPECT_EQ((*schema)[0].written(1, 23.0, frame), 1.5);

@@ -15,7 +15,7 @@ namespace luminist {
 namespace {
 
 /// A parameter of every type; inline tables are TOML as [[param]] is.
-constexpr const char* kManifest = R"(
+constexpr const char* kTextManifest = R"(
 param = [
   { name = "barn", type = "vec3", default = [0.3, 0.3, 0.1], range = [0, 1], unit = "tan", solve = true, doc = "a | b" },
   { name = "near", type = "vec2", default = [0, 1], range = [0, 4], doc = "d" },
@@ -29,7 +29,7 @@ param = [
 )";
 
 ParamBlock block() {
-  auto schema = ParamSchema::parse(kManifest, "test.toml");
+  auto schema = ParamSchema::parse(kTextManifest, "test.toml");
   EXPECT_TRUE(schema) << (schema ? "" : schema.error().message());
   return {*schema, SceneFrame{}};
 }

@@ -7,14 +7,14 @@
 namespace luminist {
 namespace {
 
-TomlValue parsed(std::string_view text) {
+TomlValue parsed_toml(std::string_view text) {
   auto document = parse_toml(text, "a.toml", ErrorKind::kStyle);
   EXPECT_TRUE(document) << (document ? "" : document.error().message());
   return document ? *document : TomlValue{};
 }
 
 TEST(ParseToml, KeepsEveryValueWithItsPlace) {
-  const TomlValue root = parsed("# note\nb = 2\na = [1.5, \"x\"]\n[t]\nyes = true\nday = 2020-02-02\n");
+  const TomlValue root = parsed_toml("# note\nb = 2\na = [1.5, \"x\"]\n[t]\nyes = true\nday = 2020-02-02\n");
   ASSERT_EQ(root.entries.size(), 3U);
   EXPECT_EQ(root.entries[0].key, "b");  // file order, not the alphabet's
   EXPECT_EQ(root.entries[0].line, 2);
@@ -44,7 +44,8 @@ TEST(ParseToml, RefusesHostileTextWithoutHarm) {
 }
 
 TEST(TomlReader, ReadsEachKind) {
-  const TomlValue root = parsed("s = \"x\"\nn = 3\nf = 0.5\ni = -7\nb = true\nl = [\"p\", \"q\"]\n[t]\n[[u]]\n[[u]]\n");
+  const TomlValue root =
+      parsed_toml("s = \"x\"\nn = 3\nf = 0.5\ni = -7\nb = true\nl = [\"p\", \"q\"]\n[t]\n[[u]]\n[[u]]\n");
   TomlReader read(root, "a.toml", ErrorKind::kStyle);
   EXPECT_EQ(read.string("s"), "x");
   EXPECT_EQ(read.number("n"), 3.0);
@@ -58,7 +59,7 @@ TEST(TomlReader, ReadsEachKind) {
 }
 
 TEST(TomlReader, FallsBackWhereAKeyIsAbsent) {
-  const TomlValue root = parsed("");
+  const TomlValue root = parsed_toml("");
   TomlReader read(root, "a.toml", ErrorKind::kStyle);
   EXPECT_EQ(read.string("s", "y"), "y");
   EXPECT_EQ(read.number("n", 2.5), 2.5);
@@ -71,7 +72,7 @@ TEST(TomlReader, FallsBackWhereAKeyIsAbsent) {
 }
 
 TEST(TomlReader, KeepsTheFirstMistake) {
-  const TomlValue root = parsed("a = 1\nb = \"x\"\n");
+  const TomlValue root = parsed_toml("a = 1\nb = \"x\"\n");
   TomlReader read(root, "a.toml", ErrorKind::kStyle);
   (void)read.string("a");
   (void)read.number("b");
@@ -81,7 +82,7 @@ TEST(TomlReader, KeepsTheFirstMistake) {
 }
 
 TEST(TomlReader, PutsAnUnknownKeyBeforeTheOneThatIsMissing) {
-  const TomlValue root = parsed("nmae = \"x\"\n");
+  const TomlValue root = parsed_toml("nmae = \"x\"\n");
   TomlReader read(root, "a.toml", ErrorKind::kStyle);
   (void)read.string("name");
   EXPECT_EQ(error_of(read.status()).what, "the key \"name\" is missing");
@@ -91,7 +92,7 @@ TEST(TomlReader, PutsAnUnknownKeyBeforeTheOneThatIsMissing) {
 }
 
 TEST(TomlReader, ListsTheValidKeysWhereNoneIsNear) {
-  const TomlValue root = parsed("elephant = 1\n");
+  const TomlValue root = parsed_toml("elephant = 1\n");
   TomlReader read(root, "a.toml", ErrorKind::kStyle);
   (void)read.string("doc", "");
   (void)read.number("size", 0.0);
@@ -99,7 +100,7 @@ TEST(TomlReader, ListsTheValidKeysWhereNoneIsNear) {
 }
 
 TEST(TomlReader, RefusesNumbersThatAreNotFiniteOrTooLarge) {
-  const TomlValue root = parsed("a = nan\nb = 5000000000\n");
+  const TomlValue root = parsed_toml("a = nan\nb = 5000000000\n");
   TomlReader first(root, "a.toml", ErrorKind::kStyle);
   (void)first.number("a");
   EXPECT_EQ(error_of(first.status()).where, "a.toml:1:5");

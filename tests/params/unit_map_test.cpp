@@ -24,7 +24,7 @@ TEST(Penalty, OfAPointIsTheSumOverItsCoordinates) {
   EXPECT_EQ(penalty(std::span<const double>()), 0.0);
 }
 
-constexpr const char* kManifest = R"(
+constexpr const char* kMapManifest = R"(
 [[param]]
 name = "place"
 type = "vec3"
@@ -79,7 +79,7 @@ class UnitMapTest : public ::testing::Test {
  protected:
   UnitMapTest() : block_(schema(), frame_) {}
   static std::shared_ptr<const ParamSchema> schema() {
-    auto schema = ParamSchema::parse(kManifest, "test.toml");
+    auto schema = ParamSchema::parse(kMapManifest, "test.toml");
     EXPECT_TRUE(schema) << (schema ? "" : schema.error().message());
     return *schema;
   }

@@ -14,8 +14,8 @@
 namespace luminist {
 namespace {
 
-constexpr int kWidth = 256;
-constexpr int kHeight = 256;
+constexpr int kHatchedWidth = 256;
+constexpr int kHatchedHeight = 256;
 
 /// Black ink on white paper; tones are 1 - darkness without exponent or albedo.
 class HatchingTest : public testing::Test {
@@ -27,7 +27,7 @@ class HatchingTest : public testing::Test {
   }
   void look_at(const Scene& scene, const Camera& camera) {
     LUM_ASSERT_OK(renderer_, RasterRenderer::create(*device_, scene, camera, *types_, *style_, AssetRoots::standard(),
-                                                    kWidth, kHeight));
+                                                    kHatchedWidth, kHatchedHeight));
     state_ = initial_state(*types_, *style_, renderer_->frame());
     for (const char* setting :
          {"style/ink=0,0,0", "style/paper=1,1,1", "style/contrast=1", "style/albedo=0", "style/size=0.004"}) {
@@ -50,7 +50,7 @@ class HatchingTest : public testing::Test {
   std::vector<float> darkness() {
     SampleSet samples;
     samples.id = 3;
-    for (std::uint32_t i = 0; i < kWidth * kHeight; ++i) samples.pixels.push_back(i);
+    for (std::uint32_t i = 0; i < kHatchedWidth * kHatchedHeight; ++i) samples.pixels.push_back(i);
     std::vector<Vec3> colors(samples.pixels.size());
     const Candidate candidate{&*state_, Candidate::kAllLights};
     LUM_EXPECT_OK(renderer_->evaluate({&candidate, 1}, samples, {}, colors));
@@ -96,8 +96,8 @@ TEST_F(HatchingTest, StrokesAreAsDenseNearAsFar) {
     set_ambient(0.7);
     const std::vector<float> values = ink();
     int edges = 0;
-    for (std::size_t i = kWidth; i < values.size(); ++i)
-      edges += (values[i] > 0.5F) != (values[i - kWidth] > 0.5F) ? 1 : 0;
+    for (std::size_t i = kHatchedWidth; i < values.size(); ++i)
+      edges += (values[i] > 0.5F) != (values[i - kHatchedWidth] > 0.5F) ? 1 : 0;
     for (std::size_t i = 1; i < values.size(); ++i) edges += (values[i] > 0.5F) != (values[i - 1] > 0.5F) ? 1 : 0;
     return static_cast<double>(edges);
   };
@@ -111,7 +111,7 @@ TEST_F(HatchingTest, WhatIsInkedStaysInkedWhereItGetsDarker) {
   Scene scene;
   test::add(scene, test::sphere_mesh(1.0F), "ball");
   look_at(scene, test::looking(Vec3(0, 1, 4), Vec3(0)));
-  std::vector<float> before(static_cast<std::size_t>(kWidth) * kHeight, 0.0F);
+  std::vector<float> before(static_cast<std::size_t>(kHatchedWidth) * kHatchedHeight, 0.0F);
   for (const double light : {0.9, 0.7, 0.5, 0.3, 0.1}) {
     set_ambient(light);
     const std::vector<float> now = ink();
@@ -181,8 +181,8 @@ TEST_F(HatchingTest, GoesAroundWhatBends) {
   double around = 0.0;
   for (int y = 100; y < 156; ++y) {
     for (int x = 100; x < 156; ++x) {
-      const auto i = static_cast<std::size_t>(y * kWidth + x);
-      along += std::abs(values[i] - values[i + kWidth]);
+      const auto i = static_cast<std::size_t>(y * kHatchedWidth + x);
+      along += std::abs(values[i] - values[i + kHatchedWidth]);
       around += std::abs(values[i] - values[i + 1]);
     }
   }

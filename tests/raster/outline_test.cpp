@@ -17,8 +17,8 @@
 namespace luminist {
 namespace {
 
-constexpr int kWidth = 200;
-constexpr int kHeight = 160;
+constexpr int kOutlinedWidth = 200;
+constexpr int kOutlinedHeight = 160;
 constexpr Vec3 kInk(1.0F, 0.0F, 0.0F);
 
 /// White-grey objects in ambient light, drawn with red lines.
@@ -30,8 +30,8 @@ class OutlineTest : public testing::Test {
     LUM_ASSERT_OK(style_, load_style(AssetRoots::standard(), "cinematic+outline"));
   }
   Image draw(const Scene& scene, const Camera& camera, const std::vector<std::string>& settings) {
-    auto renderer =
-        RasterRenderer::create(*device_, scene, camera, *types_, *style_, AssetRoots::standard(), kWidth, kHeight);
+    auto renderer = RasterRenderer::create(*device_, scene, camera, *types_, *style_, AssetRoots::standard(),
+                                           kOutlinedWidth, kOutlinedHeight);
     EXPECT_TRUE(renderer) << (renderer ? "" : renderer.error().message());
     ParamState state = initial_state(*types_, *style_, (*renderer)->frame());
     LUM_EXPECT_OK(set_path(state, "ambient/color=0.5,0.5,0.5"));
@@ -46,7 +46,7 @@ class OutlineTest : public testing::Test {
     return glm::clamp(c.r - c.g, 0.0F, 1.0F);
   }
   static std::string width(float pixels) {
-    return "style/line_width=" + std::to_string(pixels / static_cast<float>(kHeight));
+    return "style/line_width=" + std::to_string(pixels / static_cast<float>(kOutlinedHeight));
   }
 
   std::optional<Device> device_;
@@ -63,7 +63,8 @@ TEST_F(OutlineTest, IsAsWideAsAskedInPixels) {
     const Image picture = draw(scene, camera, {width(wanted)});
     float left = 0.0F;
     float right = 0.0F;
-    for (int x = 0; x < kWidth; ++x) (x < kWidth / 2 ? left : right) += ink(picture, x, kHeight / 2);
+    for (int x = 0; x < kOutlinedWidth; ++x)
+      (x < kOutlinedWidth / 2 ? left : right) += ink(picture, x, kOutlinedHeight / 2);
     // Samples lie a quarter of a pixel apart; the hull is a polygon and stands a little behind.
     EXPECT_NEAR(left, wanted, 0.3F);
     EXPECT_NEAR(right, wanted, 0.3F);
@@ -77,7 +78,7 @@ TEST_F(OutlineTest, InSceneUnitsGetsThinnerWithDistance) {
     const Image picture = draw(scene, test::looking(Vec3(0, 0, distance), Vec3(0)),
                                {std::string("style/line_unit=") + unit, width(8.0F)});
     float sum = 0.0F;
-    for (int x = 0; x < kWidth / 2; ++x) sum += ink(picture, x, kHeight / 2);
+    for (int x = 0; x < kOutlinedWidth / 2; ++x) sum += ink(picture, x, kOutlinedHeight / 2);
     return sum;
   };
   EXPECT_NEAR(ink_at(12.0F, "scene") / ink_at(6.0F, "scene"), 0.5F, 0.08F);
@@ -92,8 +93,8 @@ TEST_F(OutlineTest, OfACubeWithSplitNormalsHasNoGap) {
     const Camera camera =
         test::looking(7.0F * Vec3(std::cos(angle), 0.9F * std::sin(2.0F * angle), std::sin(angle)), Vec3(0));
     const Image picture = draw(scene, camera, {width(3.0F), "style/line_crease=0"});
-    for (int y = 1; y + 1 < kHeight; ++y) {
-      for (int x = 1; x + 1 < kWidth; ++x) {
+    for (int y = 1; y + 1 < kOutlinedHeight; ++y) {
+      for (int x = 1; x + 1 < kOutlinedWidth; ++x) {
         if (surface_.object[surface_.index(x, y)] != 0) continue;
         const bool beside =
             surface_.object[surface_.index(x - 1, y)] != 0 || surface_.object[surface_.index(x + 1, y)] != 0 ||
@@ -114,8 +115,8 @@ TEST_F(OutlineTest, GoesAroundASheetWithOpenBorders) {
   const Image picture = draw(scene, camera, {width(4.0F), "style/line_crease=0"});
   float row = 0.0F;
   float column = 0.0F;
-  for (int x = 0; x < kWidth; ++x) row += ink(picture, x, kHeight / 2);
-  for (int y = 0; y < kHeight; ++y) column += ink(picture, kWidth / 2, y);
+  for (int x = 0; x < kOutlinedWidth; ++x) row += ink(picture, x, kOutlinedHeight / 2);
+  for (int y = 0; y < kOutlinedHeight; ++y) column += ink(picture, kOutlinedWidth / 2, y);
   EXPECT_NEAR(row, 8.0F, 0.6F) << "two borders";
   EXPECT_NEAR(column, 8.0F, 0.6F);
 }
@@ -127,8 +128,8 @@ TEST_F(OutlineTest, DrawsCreasesOnlyWhereTheyAreSharpEnough) {
   const auto inside = [&](const std::vector<std::string>& settings) {
     const Image picture = draw(scene, camera, settings);
     float sum = 0.0F;
-    for (int y = kHeight / 2 - 12; y < kHeight / 2 + 12; ++y) {
-      for (int x = kWidth / 2 - 12; x < kWidth / 2 + 12; ++x) sum += ink(picture, x, y);
+    for (int y = kOutlinedHeight / 2 - 12; y < kOutlinedHeight / 2 + 12; ++y) {
+      for (int x = kOutlinedWidth / 2 - 12; x < kOutlinedWidth / 2 + 12; ++x) sum += ink(picture, x, y);
     }
     return sum;
   };
@@ -147,7 +148,7 @@ TEST_F(OutlineTest, DrawsALineWhereObjectsMeet) {
   const Image without = draw(scene, camera, {width(3.0F), "style/line_intersection=0", "style/line_border=0"});
   const Image with = draw(scene, camera, {width(3.0F), "style/line_border=0", "style/line_inner=1"});
   // The nearest point of the circle in which the ball meets the table.
-  const Vec2 at = test::pixel_of(camera, Vec3(0, -0.6F, 0.8F), kWidth, kHeight);
+  const Vec2 at = test::pixel_of(camera, Vec3(0, -0.6F, 0.8F), kOutlinedWidth, kOutlinedHeight);
   float line = 0.0F;
   float nothing = 0.0F;
   for (int y = static_cast<int>(at.y) - 5; y <= static_cast<int>(at.y) + 5; ++y) {
@@ -171,7 +172,7 @@ TEST_F(OutlineTest, OfSomethingSmallIsAsWideInEveryDirection) {
     for (int x = -8; x <= 8; ++x) {
       const double far = std::hypot(x + 0.5, y + 0.5);
       if (far > 4.0 && far < 8.0) {
-        EXPECT_GT(ink(picture, kWidth / 2 + x, kHeight / 2 + y), 0.9F) << x << ", " << y;
+        EXPECT_GT(ink(picture, kOutlinedWidth / 2 + x, kOutlinedHeight / 2 + y), 0.9F) << x << ", " << y;
       }
     }
   }
@@ -190,18 +191,18 @@ TEST_F(OutlineTest, IsMaskedByATextureOfTheMaterial) {
   scene.materials[0].line_width_texture = 0;
   const Image masked = draw(scene, camera, {width(4.0F)});
   float left = 0.0F;
-  for (int y = 0; y < kHeight; ++y) {
-    for (int x = 0; x < kWidth; ++x) {
+  for (int y = 0; y < kOutlinedHeight; ++y) {
+    for (int x = 0; x < kOutlinedWidth; ++x) {
       // In the triangles between the halves, two pixels wide, the width grows.
-      if (x < kWidth / 2 - 4) left += ink(masked, x, y);
-      if (x > kWidth / 2 + 4) {
+      if (x < kOutlinedWidth / 2 - 4) left += ink(masked, x, y);
+      if (x > kOutlinedWidth / 2 + 4) {
         ASSERT_EQ(masked.rgb(masked.index(x, y)), whole.rgb(whole.index(x, y))) << x << ' ' << y;
       }
     }
   }
   EXPECT_EQ(left, 0.0F);
   float across = 0.0F;
-  for (int x = 0; x < kWidth; ++x) across += ink(masked, x, kHeight / 2);
+  for (int x = 0; x < kOutlinedWidth; ++x) across += ink(masked, x, kOutlinedHeight / 2);
   EXPECT_NEAR(across, 4.0F, 0.3F) << "samples lie a quarter of a pixel apart";
 }
 
@@ -211,8 +212,8 @@ TEST_F(OutlineTest, OfNoWidthIsThePictureWithoutIt) {
   const Camera camera = test::looking(Vec3(4, 3, 4), Vec3(0));
   const Image none = draw(scene, camera, {"style/line_width=0"});
   LUM_ASSERT_OK(style_, load_style(AssetRoots::standard(), "cinematic"));
-  auto renderer =
-      RasterRenderer::create(*device_, scene, camera, *types_, *style_, AssetRoots::standard(), kWidth, kHeight);
+  auto renderer = RasterRenderer::create(*device_, scene, camera, *types_, *style_, AssetRoots::standard(),
+                                         kOutlinedWidth, kOutlinedHeight);
   ParamState state = initial_state(*types_, *style_, (*renderer)->frame());
   LUM_EXPECT_OK(set_path(state, "ambient/color=0.5,0.5,0.5"));
   EXPECT_EQ(none.data, (*renderer)->render(state).value().data);
@@ -222,7 +223,7 @@ TEST_F(OutlineTest, FollowsItsWidthAndSamplesSeeTheSameLines) {
   Scene scene;
   test::add(scene, test::sphere_mesh(1.0F), "ball");
   auto made = RasterRenderer::create(*device_, scene, test::looking(Vec3(0, 0, 5), Vec3(0)), *types_, *style_,
-                                     AssetRoots::standard(), kWidth, kHeight);
+                                     AssetRoots::standard(), kOutlinedWidth, kOutlinedHeight);
   ASSERT_TRUE(made);
   RasterRenderer& renderer = **made;
   ParamState state = initial_state(*types_, *style_, renderer.frame());
@@ -257,9 +258,11 @@ TEST_F(OutlineTest, IsTheSameWherePicturesAreDrawnInBands) {
   DeepExtras extras;
   extras.lines = DeepLines{&outlines, spec, scene.frame()};
   std::vector<std::vector<Vec4>> normals;
-  for (const std::size_t band_bytes : {std::size_t{1} << 29U, std::size_t{kWidth} * 2000 * 7}) {  // seven rows at most
-    LUM_ASSERT_OK(const DeepFramebuffer deep, DeepFramebuffer::create(*device_, AssetRoots::standard(), meshes, scene,
-                                                                      camera, kWidth, kHeight, extras, band_bytes));
+  for (const std::size_t band_bytes :
+       {std::size_t{1} << 29U, std::size_t{kOutlinedWidth} * 2000 * 7}) {  // seven rows at most
+    LUM_ASSERT_OK(const DeepFramebuffer deep,
+                  DeepFramebuffer::create(*device_, AssetRoots::standard(), meshes, scene, camera, kOutlinedWidth,
+                                          kOutlinedHeight, extras, band_bytes));
     normals.emplace_back(deep.sample_count());
     deep.normal().read(0, std::span<Vec4>(normals.back()));
   }

@@ -9,7 +9,7 @@
 namespace luminist {
 namespace {
 
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+constexpr float kNanPaint = std::numeric_limits<float>::quiet_NaN();
 constexpr float kInf = std::numeric_limits<float>::infinity();
 
 Target target() {
@@ -32,7 +32,7 @@ TEST(Sanitize, LeavesAGoodTargetAlone) {
 
 TEST(Sanitize, MasksWhatCannotBeComparedAndTellsWhereItBegins) {
   Target t = target();
-  t.color.at(2, 0, 1) = kNan;
+  t.color.at(2, 0, 1) = kNanPaint;
   t.color.at(0, 1, 0) = -kInf;
   t.importance.at(1, 1, 0) = -0.5F;
   t.importance.at(2, 1, 0) = kInf;
@@ -47,9 +47,9 @@ TEST(Sanitize, MasksWhatCannotBeComparedAndTellsWhereItBegins) {
 
 TEST(Sanitize, PutsBlackWhereThePictureUnderThePaintIsNotFiniteEither) {
   Target t = target();
-  t.color.at(1, 0, 0) = kNan;
+  t.color.at(1, 0, 0) = kNanPaint;
   t.before.at(1, 0, 2) = kInf;
-  t.before.at(0, 0, 0) = kNan;  // under good paint
+  t.before.at(0, 0, 0) = kNanPaint;  // under good paint
   EXPECT_EQ(sanitize(t).masked, 1U);
   EXPECT_EQ(t.color.rgb(1), Vec3(0.0F));
   EXPECT_EQ(t.before.rgb(1), Vec3(0.0F));
@@ -69,7 +69,7 @@ TEST(Sanitize, GivesTheErrorOfTheTargetWithoutTheMaskedPixels) {
   Target masked = target();
   masked.importance.data[4] = 0.0F;
   Target broken = target();
-  broken.color.at(1, 1, 0) = kNan;
+  broken.color.at(1, 1, 0) = kNanPaint;
   sanitize(broken);
   EXPECT_EQ(picture_error(picture, broken, {}), picture_error(picture, masked, {}));
   // A blur carries the masked pixel's colour into its neighbours, which must stay finite.

@@ -49,7 +49,7 @@ TEST_F(PunctualTest, ASpotShowsItsPhysicalRadianceAtTheCentreOfTheScene) {
   EXPECT_EQ(light.name, "key");
   EXPECT_EQ(vec3(light, "position"), spot.position);
   EXPECT_EQ(vec3(light, "direction"), Vec3(0.0F, 0.0F, -1.0F));
-  const float expected = 100.0F / (static_cast<float>(kPi) * 25.0F);  // I / (pi d^2), d = 5
+  const float expected = 100.0F / (kPiF * 25.0F);  // I / (pi d^2), d = 5
   EXPECT_FLOAT_EQ(radiance(light, 5.0F), expected);
   EXPECT_FLOAT_EQ(vec3(light, "color").y, 0.5F * expected);
   // Full inside the inner angle, dark outside the outer one.
@@ -65,7 +65,7 @@ TEST_F(PunctualTest, APointFallsOffWithTheSquareOfTheDistance) {
   const Light light = converted({point})[0];
   EXPECT_EQ(light.type, "point");
   EXPECT_EQ(number(light, "falloff_exponent"), 2.0F);
-  EXPECT_FLOAT_EQ(radiance(light, 3.0F), 10.0F / (static_cast<float>(kPi) * 9.0F));
+  EXPECT_FLOAT_EQ(radiance(light, 3.0F), 10.0F / (kPiF * 9.0F));
   EXPECT_NEAR(radiance(light, 300.0F) / radiance(light, 600.0F), 4.0F, 1e-3F);  // the law of the far field
 }
 
@@ -97,7 +97,7 @@ TEST_F(PunctualTest, ASunShinesItsWayAsStrongEverywhere) {
   const Light light = converted({sun})[0];
   EXPECT_EQ(light.type, "sun");
   EXPECT_EQ(vec3(light, "direction"), sun.direction);
-  EXPECT_FLOAT_EQ(vec3(light, "color").y, 1.5F / static_cast<float>(kPi));
+  EXPECT_FLOAT_EQ(vec3(light, "color").y, 1.5F / kPiF);
 }
 
 TEST_F(PunctualTest, NamesAreUniqueAndUsableInPaths) {
@@ -116,7 +116,7 @@ TEST_F(PunctualTest, NamesAreUniqueAndUsableInPaths) {
 TEST_F(PunctualTest, AHalfSphereAndAZeroDirectionMakeAUsableLight) {
   PunctualLight spot;
   spot.kind = PunctualLight::Kind::kSpot;
-  spot.outer_angle = static_cast<float>(kPi) / 2.0F;
+  spot.outer_angle = kPiF / 2.0F;
   spot.direction = Vec3(0.0F);
   const Light light = converted({spot})[0];
   EXPECT_TRUE(is_finite(vec3(light, "barn")));

@@ -9,7 +9,7 @@
 namespace luminist {
 namespace {
 
-constexpr float kRounding = 1e-5F;
+constexpr float kDeformRounding = 1e-5F;
 
 /// A glTF file with one mesh of two triangles, a strip from y = 0 over y = 1 to y = 2, written accessor by accessor.
 class StripFile {
@@ -91,7 +91,7 @@ Vec3 vertex(const Scene& scene, std::size_t i) {
   return Vec3(scene.objects[0].world_from_object * Vec4(scene.meshes[0].positions[i], 1.0F));
 }
 void expect_near(const Vec3& a, const Vec3& b) {
-  EXPECT_NEAR(glm::distance(a, b), 0.0F, kRounding) << a.x << " " << a.y << " " << a.z;
+  EXPECT_NEAR(glm::distance(a, b), 0.0F, kDeformRounding) << a.x << " " << a.y << " " << a.z;
 }
 
 TEST(Skin, BendsWithItsJointsWhereverTheNodeOfItsMeshIs) {
@@ -217,8 +217,8 @@ TEST(Morph, AReflectedNodeReflectsItsTargets) {
   LUM_ASSERT_OK(Scene scene, file.load());
   pose(scene, 1.0);
   Box box = scene.bounds();
-  EXPECT_NEAR(box.lo.x, -3.0F, kRounding);
-  EXPECT_NEAR(box.hi.x, 0.0F, kRounding);
+  EXPECT_NEAR(box.lo.x, -3.0F, kDeformRounding);
+  EXPECT_NEAR(box.hi.x, 0.0F, kDeformRounding);
 }
 
 TEST(Morph, WithoutATrackTheWeightsOfTheNodeHold) {

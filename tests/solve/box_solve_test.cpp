@@ -11,7 +11,7 @@
 namespace luminist {
 namespace {
 
-struct Problem {
+struct BoxProblem {
   std::size_t n = 0;
   std::vector<double> a, b, low, high, x;
 
@@ -31,8 +31,8 @@ struct Problem {
 };
 
 /// A = J'J of a random J with columns of very different lengths, two of them nearly the same.
-Problem random_problem(std::size_t n, Random& random) {
-  Problem p{n, std::vector<double>(n * n, 0.0), std::vector<double>(n), {}, {}, {}};
+BoxProblem random_box(std::size_t n, Random& random) {
+  BoxProblem p{n, std::vector<double>(n * n, 0.0), std::vector<double>(n), {}, {}, {}};
   std::vector<std::vector<double>> rows(2 * n, std::vector<double>(n));
   for (auto& row : rows) {
     for (std::size_t i = 0; i < n; ++i) row[i] = random.normal() * std::pow(10.0, static_cast<double>(i % 4));
@@ -55,7 +55,7 @@ Problem random_problem(std::size_t n, Random& random) {
 TEST(SolveBox, EndsWhereNoCoordinateWantsToMoveInsideItsBounds) {
   Random random(3);
   for (int round = 0; round < 200; ++round) {
-    const Problem p = random_problem(1 + static_cast<std::size_t>(round % 12), random);
+    const BoxProblem p = random_box(1 + static_cast<std::size_t>(round % 12), random);
     std::vector<double> x = p.x;
     solve_box(p.a, p.b, p.low, p.high, x);
     EXPECT_LE(p.value(x), p.value(p.x));

@@ -12,16 +12,16 @@ namespace {
 constexpr ColorRange kFree{{true, true, true}, {0.0, 0.0, 0.0}, {4.0, 4.0, 4.0}};
 
 /// Cells with a random picture of two lights as their target.
-struct Problem {
+struct ColorProblem {
   SampleCells cells;
   CellField rest;
   CellField first;
   CellField second;
 };
 
-Problem random_problem(std::uint64_t seed, int count, const Vec3& a, const Vec3& b) {
+ColorProblem random_colors(std::uint64_t seed, int count, const Vec3& a, const Vec3& b) {
   Random random(seed);
-  Problem problem;
+  ColorProblem problem;
   const auto draw = [&] {
     return Vec3(static_cast<float>(random.uniform()), static_cast<float>(random.uniform()),
                 static_cast<float>(random.uniform()));
@@ -36,7 +36,7 @@ Problem random_problem(std::uint64_t seed, int count, const Vec3& a, const Vec3&
   return problem;
 }
 
-double cost_of(const Problem& p, const Vec3& a, const Vec3& b, Norm norm) {
+double cost_of(const ColorProblem& p, const Vec3& a, const Vec3& b, Norm norm) {
   CellField picture = p.rest;
   for (std::size_t c = 0; c < picture.size(); ++c) picture[c] += a * p.first[c] + b * p.second[c];
   return cell_cost(p.cells, picture, norm);
@@ -45,7 +45,7 @@ double cost_of(const Problem& p, const Vec3& a, const Vec3& b, Norm norm) {
 TEST(SolveColors, FindsTheColoursThatMadeThePicture) {
   const Vec3 a(1.5F, 0.3F, 0.9F);
   const Vec3 b(0.2F, 2.0F, 0.6F);
-  const Problem p = random_problem(1, 60, a, b);
+  const ColorProblem p = random_colors(1, 60, a, b);
   for (const Norm norm : {Norm::kUnsquared, Norm::kSquared}) {
     std::vector<Vec3> colors{Vec3(1.0F), Vec3(1.0F)};
     const std::vector<const CellField*> white{&p.first, &p.second};
@@ -57,7 +57,7 @@ TEST(SolveColors, FindsTheColoursThatMadeThePicture) {
 }
 
 TEST(SolveColors, IsNearlyAsGoodAsTheBestOfAGridWhenNothingFits) {
-  Problem p = random_problem(2, 40, Vec3(1.0F), Vec3(0.5F));
+  ColorProblem p = random_colors(2, 40, Vec3(1.0F), Vec3(0.5F));
   Random random(9);
   for (Vec3& target : p.cells.target) target += Vec3(static_cast<float>(random.normal()) * 0.3F);
   std::vector<Vec3> colors{Vec3(2.0F)};
@@ -77,7 +77,7 @@ TEST(SolveColors, IsNearlyAsGoodAsTheBestOfAGridWhenNothingFits) {
 }
 
 TEST(SolveColors, StaysInRangeAndLeavesLockedChannelsAlone) {
-  const Problem p = random_problem(3, 30, Vec3(5.0F, 1.0F, -1.0F), Vec3(0.0F));
+  const ColorProblem p = random_colors(3, 30, Vec3(5.0F, 1.0F, -1.0F), Vec3(0.0F));
   std::vector<Vec3> colors{Vec3(1.0F, 0.7F, 1.0F)};
   const std::vector<const CellField*> white{&p.first};
   const std::vector<ColorRange> ranges{{{true, false, true}, {0.0, 0.0, 0.0}, {4.0, 4.0, 4.0}}};
@@ -89,7 +89,7 @@ TEST(SolveColors, StaysInRangeAndLeavesLockedChannelsAlone) {
 
 TEST(SolveColors, NeverCostsMoreThanItsStart) {
   for (std::uint64_t seed = 0; seed < 50; ++seed) {
-    Problem p = random_problem(seed, 12, Vec3(0.5F), Vec3(1.0F));
+    ColorProblem p = random_colors(seed, 12, Vec3(0.5F), Vec3(1.0F));
     Random random(seed + 100);
     for (Vec3& target : p.cells.target) target += random.direction();
     const Vec3 a(static_cast<float>(random.uniform(0.0, 2.0)));

@@ -27,6 +27,18 @@ class ShotsTest : public SessionTest {
     LUM_ASSERT_OK([[maybe_unused]] const std::string name, session_->add_light(plain));
   }
   Shots shots() { return Shots(*session_); }
+  [[nodiscard]] Vantage at(double frame) { return {shots().present().camera, frame}; }
+  /// Frames of the present camera, as they are painted and as they take part.
+  std::vector<PaintedFrame> painted(const std::vector<std::pair<double, std::uint32_t>>& frames) {
+    std::vector<PaintedFrame> list;
+    for (const auto& [frame, strokes] : frames) list.push_back({at(frame), strokes});
+    return list;
+  }
+  std::vector<FrameChoice> choices(const std::vector<std::pair<double, double>>& frames) {
+    std::vector<FrameChoice> list;
+    for (const auto& [frame, weight] : frames) list.push_back({at(frame), weight});
+    return list;
+  }
   void paint_at(double frame) {
     LUM_EXPECT_OK(session_->go_to(frame));
     LUM_EXPECT_OK(session_->paint(light_strokes(), "strokes.json"));
@@ -99,24 +111,24 @@ TEST_F(ShotsTest, ThePaintOfEveryFrameIsKnownAndIsClearedFromAnywhere) {
   paint_at(12);
   paint_at(24);
   LUM_EXPECT_OK(session_->paint(light_strokes(), "strokes.json"));
-  EXPECT_EQ(shots().painted(), (std::vector<PaintedFrame>{{0, 1}, {12, 1}, {24, 2}}));
-  LUM_EXPECT_OK(shots().clear_paint(0));
-  EXPECT_EQ(shots().painted(), (std::vector<PaintedFrame>{{12, 1}, {24, 2}}));
-  EXPECT_EQ(error_of(shots().clear_paint(0)).kind, ErrorKind::kNothingToDo);
-  LUM_EXPECT_OK(shots().clear_paint(24));
+  EXPECT_EQ(shots().painted(), painted({{0, 1}, {12, 1}, {24, 2}}));
+  LUM_EXPECT_OK(shots().clear_paint(at(0)));
+  EXPECT_EQ(shots().painted(), painted({{12, 1}, {24, 2}}));
+  EXPECT_EQ(error_of(shots().clear_paint(at(0))).kind, ErrorKind::kNothingToDo);
+  LUM_EXPECT_OK(shots().clear_paint(at(24)));
   EXPECT_FALSE(session_->painted());
   LUM_EXPECT_OK(session_->go_to(0));
   EXPECT_FALSE(session_->painted());
   LUM_EXPECT_OK(session_->undo());
   LUM_EXPECT_OK(session_->undo());
   LUM_EXPECT_OK(session_->undo());
-  EXPECT_EQ(shots().painted(), (std::vector<PaintedFrame>{{0, 1}, {12, 1}, {24, 2}}));
+  EXPECT_EQ(shots().painted(), painted({{0, 1}, {12, 1}, {24, 2}}));
 }
 
 TEST_F(ShotsTest, OneRigIsFoundForThePaintOfSeveralFrames) {
   paint_at(24);
   paint_at(0);
-  const std::vector<FrameChoice> both = {{0, 1.0}, {24, 3.0}};
+  const std::vector<FrameChoice> both = choices({{0, 1.0}, {24, 3.0}});
   LUM_EXPECT_OK(shots().solve(both, few_evals(), true, {}));
   ASSERT_TRUE(session_->has_proposal());
   const Solved solved = *session_->solved();
@@ -134,7 +146,7 @@ TEST_F(ShotsTest, OneRigIsFoundForThePaintOfSeveralFrames) {
 TEST_F(ShotsTest, AcceptingARigForSeveralFramesAnswersThePaintOfAllAndUndoBringsItBack) {
   paint_at(24);
   paint_at(0);
-  const std::vector<FrameChoice> both = {{0}, {24}};
+  const std::vector<FrameChoice> both = choices({{0, 1.0}, {24, 1.0}});
   LUM_EXPECT_OK(shots().solve(both, few_evals(), false, {}));
   EXPECT_FALSE(session_->solved()->frames[1].verdict);
   EXPECT_EQ(shots().painted().size(), 2U);
@@ -150,7 +162,7 @@ TEST_F(ShotsTest, AcceptingARigForSeveralFramesAnswersThePaintOfAllAndUndoBrings
 TEST_F(ShotsTest, ASolveOfSeveralFramesShowsItsLightsAsItGoes) {
   paint_at(24);
   paint_at(0);
-  const std::vector<FrameChoice> both = {{24}, {0}};
+  const std::vector<FrameChoice> both = choices({{24, 1.0}, {0, 1.0}});
   std::vector<ParamState> seen;
   const auto look = [&](const ParamState& lights) -> Result<void> {
     seen.push_back(lights);
@@ -172,7 +184,7 @@ TEST_F(ShotsTest, ASolveOfSeveralFramesShowsItsLightsAsItGoes) {
 TEST_F(ShotsTest, ASolveOfSeveralFramesThatIsStoppedKeepsTheBestSoFar) {
   paint_at(24);
   paint_at(0);
-  const std::vector<FrameChoice> both = {{0}, {24}};
+  const std::vector<FrameChoice> both = choices({{0, 1.0}, {24, 1.0}});
   LUM_EXPECT_OK(shots().solve(both, {}, true, [](const SolveReport&) { return false; }));
   ASSERT_TRUE(session_->has_proposal());
   EXPECT_EQ(session_->solved()->report.termination, Termination::kStopped);
@@ -182,15 +194,15 @@ TEST_F(ShotsTest, ASolveOfSeveralFramesThatIsStoppedKeepsTheBestSoFar) {
 TEST_F(ShotsTest, WhatCannotBeSolvedTogetherIsSaid) {
   paint_at(24);
   paint_at(0);
-  const auto solve = [&](const std::vector<FrameChoice>& frames) {
-    return error_of(shots().solve(frames, few_evals(), false, {})).kind;
+  const auto solve = [&](const std::vector<std::pair<double, double>>& frames) {
+    return error_of(shots().solve(choices(frames), few_evals(), false, {})).kind;
   };
-  EXPECT_EQ(solve({{0}}), ErrorKind::kUsage);
-  EXPECT_EQ(solve({{0}, {0}}), ErrorKind::kUsage);
-  EXPECT_EQ(solve({{0}, {24, 0.0}}), ErrorKind::kUsage);
-  EXPECT_EQ(solve({{0}, {12}}), ErrorKind::kNothingToDo);
+  EXPECT_EQ(solve({{0, 1}}), ErrorKind::kUsage);
+  EXPECT_EQ(solve({{0, 1}, {0, 1}}), ErrorKind::kUsage);
+  EXPECT_EQ(solve({{0, 1}, {24, 0}}), ErrorKind::kUsage);
+  EXPECT_EQ(solve({{0, 1}, {12, 1}}), ErrorKind::kNothingToDo);
   LUM_ASSERT_OK([[maybe_unused]] const int keyed, session_->set_keys("lights/light", KeyInterpolation::kLinear));
-  EXPECT_EQ(solve({{0}, {24}}), ErrorKind::kNothingToDo);  // what may change is in each frame what its keys say
+  EXPECT_EQ(solve({{0, 1}, {24, 1}}), ErrorKind::kNothingToDo);  // what may change is in each frame what its keys say
   EXPECT_FALSE(session_->has_proposal());
 }
 
@@ -204,7 +216,7 @@ TEST_F(ShotsTest, WhatHasKeysStaysAsTheySayAndTheRestIsFoundForAllFrames) {
   paint_at(0);
   const std::string keys_before = keys_to_toml(session_->state().rig);
   const Vec3 place(position(0), position(1), position(2));
-  const std::vector<FrameChoice> both = {{24}, {0}};
+  const std::vector<FrameChoice> both = choices({{24, 1.0}, {0, 1.0}});
   LUM_EXPECT_OK(shots().solve(both, few_evals(), false, {}));
   const Solved solved = *session_->solved();
   EXPECT_LT(solved.report.epsilon, solved.report.epsilon_start);

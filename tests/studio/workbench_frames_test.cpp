@@ -34,7 +34,8 @@ TEST_F(WorkbenchFramesTest, ASolveOfSeveralFramesThatUndoBringsBackStillAnswersA
   paint_at(24);
   paint_at(0);
   LUM_EXPECT_OK(bench_->act([](Session& session) {
-    const std::vector<FrameChoice> both = {{0}, {24}};
+    const std::string camera = Shots(session).present().camera;
+    const std::vector<FrameChoice> both = {{{camera, 0}}, {{camera, 24}}};
     return Shots(session).solve(both, few_evals(), false, {});
   }));
   ASSERT_TRUE(look()->proposal);

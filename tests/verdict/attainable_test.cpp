@@ -6,6 +6,7 @@
 #include "solve/fake_renderer.h"
 #include "solve/random.h"
 #include "support/fixtures.h"
+#include "verdict/known_case.h"
 
 namespace luminist {
 namespace {
@@ -16,10 +17,6 @@ ParamState two_lights(const FakeRenderer& fake, std::uint64_t seed) {
   state.rig.lights = {hidden_light(fake, "key", seed), hidden_light(fake, "fill", seed + 100)};
   for (Light& light : state.rig.lights) light.params.set_param_locked(-1, true);
   return state;
-}
-
-int param(const Light& light, const char* name) {
-  return *light.params.schema().find(name);
 }
 
 Result<std::optional<AttainableColors>> bound_of(FakeRenderer& fake, const ParamState& state) {

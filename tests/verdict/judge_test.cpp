@@ -8,13 +8,10 @@
 
 #include "solve/fake_renderer.h"
 #include "support/fixtures.h"
+#include "verdict/known_case.h"
 
 namespace luminist {
 namespace {
-
-int param(const Light& light, const char* name) {
-  return *light.params.schema().find(name);
-}
 
 /// A locked light from the front and paint on the first sphere.
 class JudgeTest : public testing::Test {

@@ -10,10 +10,6 @@ constexpr std::size_t kLeastPixels = 40;
 constexpr double kLeastWish = 0.06;
 constexpr float kUnpainted = 0.1F;
 
-int param(const Light& light, const char* name) {
-  return *light.params.schema().find(name);
-}
-
 Vec3 front(Random& random) {
   Vec3 way = random.direction();
   way.y = std::abs(way.y) + 0.4F;

@@ -10,6 +10,10 @@
 
 namespace luminist {
 
+inline int param(const Light& light, const char* name) {
+  return *light.params.schema().find(name);
+}
+
 inline constexpr int kPatientSteps = 400;  ///< of a solve that gets there
 
 /// A renderer and what cases are built from in its scene.

@@ -16,34 +16,13 @@ function(luminist_options target)
     target_compile_options(${target} PRIVATE -fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer)
     target_link_options(${target} PRIVATE -fsanitize=address,undefined)
   endif()
-  if(NOT target MATCHES "^lum_precompiled")
-    target_precompile_headers(${target} REUSE_FROM lum_precompiled)
-  endif()
 endfunction()
 
 # For a target in tests/: what they compute with is in the modules, so they are compiled fast rather than to be fast.
 function(luminist_test_options target)
   luminist_options(${target})
   target_compile_options(${target} PRIVATE -O1)
-  if(NOT target MATCHES "^lum_precompiled")
-    set_target_properties(${target} PROPERTIES PRECOMPILE_HEADERS_REUSE_FROM lum_precompiled_for_tests)
-  endif()
 endfunction()
-
-# The headers that nearly every file reads are read once, which takes a seventh off the build. Files include what they
-# use all the same: -D CMAKE_DISABLE_PRECOMPILE_HEADERS=ON builds without.
-set(common_headers <algorithm> <array> <cmath> <filesystem> <functional> <map> <memory> <optional> <span> <string> <vector>
-    <fmt/format.h> <glm/glm.hpp>)
-set(nothing ${CMAKE_BINARY_DIR}/nothing.cpp)
-file(CONFIGURE OUTPUT ${nothing} CONTENT "")
-add_library(lum_precompiled OBJECT ${nothing})
-luminist_options(lum_precompiled)
-target_link_libraries(lum_precompiled PRIVATE glm::glm fmt::fmt)
-target_precompile_headers(lum_precompiled PRIVATE ${common_headers})
-add_library(lum_precompiled_for_tests OBJECT ${nothing})
-luminist_test_options(lum_precompiled_for_tests)
-target_link_libraries(lum_precompiled_for_tests PRIVATE glm::glm fmt::fmt GTest::gtest)
-target_precompile_headers(lum_precompiled_for_tests PRIVATE ${common_headers} <gtest/gtest.h>)
 
 # luminist_tests(NAME [n]): tests/NAME/*_test.cpp, of the library lum_NAME, as the executable NAME_test, in n parts.
 function(luminist_tests name)

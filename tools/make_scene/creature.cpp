@@ -17,23 +17,6 @@ Mat4 at_joint(const Point3& joint) {
   return glm::scale(glm::translate(Mat4(1.0F), kScale * Vec3(joint)), Vec3(kScale));
 }
 
-int add_textured(Stage& stage, const std::string& name, Image picture, float roughness) {
-  Material material;
-  material.name = name;
-  material.base_color = Vec3(1.0F);
-  material.base_color_texture = stage.add_texture(name, std::move(picture));
-  material.roughness = roughness;
-  return stage.add_material(material);
-}
-
-int add_plain(Stage& stage, const std::string& name, const Vec3& color, float roughness) {
-  Material material;
-  material.name = name;
-  material.base_color = color;
-  material.roughness = roughness;
-  return stage.add_material(material);
-}
-
 int add_carved(Stage& stage, const std::string& name, Image picture, Image relief, float roughness) {
   Material material;
   material.name = name;
@@ -45,11 +28,11 @@ int add_carved(Stage& stage, const std::string& name, Image picture, Image relie
 }
 
 void add_imp(Stage& stage) {
-  const int skin = add_textured(stage, "imp_skin", imp_skin(256, 64), 0.48F);
+  const int skin = stage.add_textured("imp_skin", imp_skin(256, 64), 0.48F);
   for (BodyPart& part : imp_body()) stage.add_object(part.name, std::move(part.mesh), skin, at_joint(part.joint));
-  const int horn = add_textured(stage, "horn", horn_painting(128, 256), 0.40F);
-  const int eye = add_textured(stage, "eye", eye_painting(256, 256), 0.08F);
-  const int web = add_textured(stage, "wing_skin", wing_painting(384, 256), 0.55F);
+  const int horn = stage.add_textured("horn", horn_painting(128, 256), 0.40F);
+  const int eye = stage.add_textured("eye", eye_painting(256, 256), 0.08F);
+  const int web = stage.add_textured("wing_skin", wing_painting(384, 256), 0.55F);
   const Mat4 body = at_joint(Point3(0.0));
   const int ball = stage.add_mesh(eye_mesh());
   for (const int side : {-1, 1}) {
@@ -65,8 +48,8 @@ void add_imp(Stage& stage) {
 }
 
 void add_toadstools(Stage& stage, const Mat4& world) {
-  const int cap = add_textured(stage, "toadstool_cap", cap_painting(384, 192), 0.35F);
-  const int stalk = add_plain(stage, "toadstool_stalk", swatch(0xE2D6BC), 0.7F);
+  const int cap = stage.add_textured("toadstool_cap", cap_painting(384, 192), 0.35F);
+  const int stalk = stage.add_plain("toadstool_stalk", swatch(0xE2D6BC), 0.7F);
   struct Spot {
     double x, z, height, lean, radius;
   };
@@ -87,15 +70,15 @@ void add_toadstools(Stage& stage, const Mat4& world) {
 void add_glade(Stage& stage) {
   const Mat4 world = glm::scale(Mat4(1.0F), Vec3(kScale));
   stage.add_object("staff", staff_mesh(),
-                   add_textured(stage, "bark", wood_painting(256, 128, swatch(0x8A6A48), swatch(0x3E2A1A)), 0.75F),
+                   stage.add_textured("bark", wood_painting(256, 128, swatch(0x8A6A48), swatch(0x3E2A1A)), 0.75F),
                    world);
   add_toadstools(stage, world);
-  const int green = add_plain(stage, "fern", swatch(0x5F7A32), 0.6F);
+  const int green = stage.add_plain("fern", swatch(0x5F7A32), 0.6F);
   Mesh ferns = fern_mesh({2.05, ground_height(2.05, -1.1) - 0.05, -1.1}, 2.1, -1.0);
   append(ferns, fern_mesh({2.40, ground_height(2.40, -1.2) - 0.05, -1.2}, 1.5, 1.0));
   append(ferns, fern_mesh({-2.20, ground_height(-2.20, -0.7) - 0.05, -0.7}, 1.7, -1.0));
   stage.add_object("ferns", ferns, green, world);
-  stage.add_object("grass", grass_mesh(130, 4), add_plain(stage, "grass", swatch(0x73843A), 0.65F), world);
+  stage.add_object("grass", grass_mesh(130, 4), stage.add_plain("grass", swatch(0x73843A), 0.65F), world);
   stage.add_object("ground", ground_mesh(), add_carved(stage, "moss", ground_painting(448), ground_relief(384), 0.9F),
                    world);
   stage.mark_backdrop();

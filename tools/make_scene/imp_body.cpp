@@ -15,7 +15,7 @@ namespace {
 constexpr double kHeadTilt = 0.10;
 constexpr double kHeadTurn = -0.12;
 const char* const kNames[] = {"head", "torso", "arm_right", "arm_left", "leg_right", "leg_left"};
-constexpr std::size_t kParts = 6;
+constexpr std::size_t kBodyParts = 6;
 const Point3 kNeck{0.0, 2.55, 0.02};
 
 /// The head's own frame: upright, looking along +Z.
@@ -26,7 +26,7 @@ Point3 from_head(const Point3& p) {
   return rotated_z(rotated_y(p - kNeck, kHeadTurn), kHeadTilt) + kNeck;
 }
 
-double ear_distance(const Point3& s) {
+double imp_ear_distance(const Point3& s) {
   const Point3 q = rotated_z(s - Point3(0.66, 3.18, -0.05), -0.42);
   const Point3 flat = rotated_y(q, 0.55);
   const double along = std::clamp(flat.x / 1.25, 0.0, 1.0);
@@ -57,16 +57,16 @@ double face_distance(double d, const Point3& s) {
   return smooth_difference(d, sphere_distance(s, {0.062, 3.00, 0.925}, 0.026), 0.03);
 }
 
-double skull_distance(const Point3& p) {
+double imp_skull_distance(const Point3& p) {
   const Point3 q = in_head(p);
   const Point3 s{std::sqrt(q.x * q.x + 0.0006), q.y, q.z};
   double d = ellipsoid_distance(s, {0.0, 3.22, 0.02}, {0.74, 0.62, 0.66});
   d = smooth_union(d, ellipsoid_distance(s, {0.34, 2.97, 0.22}, {0.44, 0.34, 0.42}), 0.25);
   d = face_distance(d, s);
-  return smooth_union(d, ear_distance(s), 0.12);
+  return smooth_union(d, imp_ear_distance(s), 0.12);
 }
 
-double torso_distance(const Point3& p) {
+double imp_torso_distance(const Point3& p) {
   double d = ellipsoid_distance(p, {0.0, 1.52, 0.06}, {0.60, 0.66, 0.56});
   d = smooth_union(d, ellipsoid_distance(p, {0.0, 2.12, -0.03}, {0.44, 0.42, 0.35}), 0.35);
   const Knot neck[] = {{{0.0, 2.25, -0.03}, 0.26}, {{0.0, 2.72, 0.03}, 0.22}};
@@ -133,9 +133,9 @@ double leg_distance(const Point3& p, double side) {
   return d;
 }
 
-std::array<double, kParts> part_distances(const Point3& p) {
-  return {skull_distance(p),    torso_distance(p),     arm_right_distance(p),
-          arm_left_distance(p), leg_distance(p, -1.0), leg_distance(p, 1.0)};
+std::array<double, kBodyParts> part_distances(const Point3& p) {
+  return {imp_skull_distance(p), imp_torso_distance(p), arm_right_distance(p),
+          arm_left_distance(p),  leg_distance(p, -1.0), leg_distance(p, 1.0)};
 }
 
 double skin_distance(const Point3& p) {
@@ -166,11 +166,11 @@ Vec2 ramp_place(const Point3& p, const Point3& normal, std::size_t part) {
 
 /// Cuts a mesh into the parts that its triangles are nearest to.
 std::vector<BodyPart> split(const Mesh& skin) {
-  const Point3 joints[kParts] = {
+  const Point3 joints[kBodyParts] = {
       kNeck, {0.0, 1.3, 0.0}, {-0.36, 2.28, 0.0}, {0.36, 2.28, 0.0}, {-0.3, 1.2, 0.0}, {0.3, 1.2, 0.0}};
   std::vector<BodyPart> parts;
-  for (std::size_t i = 0; i < kParts; ++i) parts.push_back({kNames[i], joints[i], {}});
-  std::vector<std::map<std::uint32_t, std::uint32_t>> index(kParts);
+  for (std::size_t i = 0; i < kBodyParts; ++i) parts.push_back({kNames[i], joints[i], {}});
+  std::vector<std::map<std::uint32_t, std::uint32_t>> index(kBodyParts);
   for (const auto& triangle : skin.triangles) {
     const Vec3 middle =
         (skin.positions[triangle[0]] + skin.positions[triangle[1]] + skin.positions[triangle[2]]) / 3.0F;
@@ -212,7 +212,7 @@ std::vector<BodyPart> imp_body() {
     // The ramps of neighbouring parts are blended, so that no seam shows.
     Vec2 sum(0.0F);
     float weights = 0.0F;
-    for (std::size_t part = 0; part < kParts; ++part) {
+    for (std::size_t part = 0; part < kBodyParts; ++part) {
       const auto weight = static_cast<float>(std::exp(-std::max(d[part], 0.0) / 0.05));
       sum += weight * ramp_place(p, Point3(skin.normals[i]), part);
       weights += weight;

@@ -21,25 +21,6 @@ constexpr float kHalfZ = 1.8F;
 constexpr float kHeight = 2.6F;
 constexpr float kLampZ = -0.35F;
 
-int add_plain(Stage& stage, const std::string& name, const Vec3& color, float roughness, float metallic = 0.0F) {
-  Material material;
-  material.name = name;
-  material.base_color = color;
-  material.roughness = roughness;
-  material.metallic = metallic;
-  return stage.add_material(material);
-}
-
-int add_textured(Stage& stage, const std::string& name, Image picture, float roughness, int relief = -1) {
-  Material material;
-  material.name = name;
-  material.base_color = Vec3(1.0F);
-  material.base_color_texture = stage.add_texture(name, std::move(picture));
-  material.roughness = roughness;
-  material.normal_texture = relief;
-  return stage.add_material(material);
-}
-
 /// A rectangle from a corner along two edges; faces cross(along, up).
 Mesh panel(const Vec3& corner, const Vec3& along, const Vec3& up, float texture_size) {
   Mesh mesh = tessellate([=](double u, double v) { return Point3(corner) + u * Point3(along) + v * Point3(up); }, 2, 2);
@@ -62,16 +43,16 @@ void add_door(Stage& stage, int paint) {
 
 void add_shell(Stage& stage, int oak) {
   const int relief = stage.add_texture("plaster_relief", plaster_relief(384, 1.2));
-  const int plaster = add_textured(stage, "plaster", plaster_painting(256, swatch(0xA9B0A2), 0.16), 0.9F, relief);
+  const int plaster = stage.add_textured("plaster", plaster_painting(256, swatch(0xA9B0A2), 0.16), 0.9F, relief);
   Mesh walls;
   append(walls, panel({-kHalfX, 0.0F, -kHalfZ}, {2.0F * kHalfX, 0.0F, 0.0F}, {0.0F, kHeight, 0.0F}, 1.2F));
   append(walls, panel({kHalfX, 0.0F, kHalfZ}, {-2.0F * kHalfX, 0.0F, 0.0F}, {0.0F, kHeight, 0.0F}, 1.2F));
   append(walls, panel({-kHalfX, 0.0F, kHalfZ}, {0.0F, 0.0F, -2.0F * kHalfZ}, {0.0F, kHeight, 0.0F}, 1.2F));
   append(walls, panel({kHalfX, 0.0F, -kHalfZ}, {0.0F, 0.0F, 2.0F * kHalfZ}, {0.0F, kHeight, 0.0F}, 1.2F));
   stage.add_object("walls", walls, plaster);
-  const int white = add_plain(stage, "white_paint", swatch(0xE6E2D8), 0.5F);
+  const int white = stage.add_plain("white_paint", swatch(0xE6E2D8), 0.5F);
   Mesh ceiling = panel({-kHalfX, kHeight, -kHalfZ}, {2.0F * kHalfX, 0.0F, 0.0F}, {0.0F, 0.0F, 2.0F * kHalfZ}, 1.0F);
-  stage.add_object("ceiling", ceiling, add_plain(stage, "ceiling_paint", swatch(0xE2DED4), 0.9F));
+  stage.add_object("ceiling", ceiling, stage.add_plain("ceiling_paint", swatch(0xE2DED4), 0.9F));
   Mesh skirting;
   for (const float side : {-1.0F, 1.0F}) {
     append(skirting, slab_at({0.0F, 0.055F, side * (kHalfZ - 0.008F)}, {kHalfX, 0.055F, 0.009F}, 0.005F));
@@ -97,7 +78,7 @@ void add_shell(Stage& stage, int oak) {
 }
 
 void add_lamp(Stage& stage) {
-  const int brass = add_plain(stage, "brass", {0.78F, 0.57F, 0.28F}, 0.28F, 1.0F);
+  const int brass = stage.add_plain("brass", {0.78F, 0.57F, 0.28F}, 0.28F, 1.0F);
   Material glow;
   glow.name = "lamp_glow";
   glow.base_color = Vec3(0.8F);
@@ -116,12 +97,12 @@ void add_lamp(Stage& stage) {
 void add_seats(Stage& stage, int walnut) {
   const Mat4 chair = Placement{{-0.48F, 0.0F, 0.62F}, {0.0F, 2.55F, 0.0F}}.matrix();
   stage.add_object("chair", chair_frame(), walnut, chair);
-  stage.add_object("chair_seat", chair_seat(), add_plain(stage, "leather", swatch(0x6A2E22), 0.42F), chair);
+  stage.add_object("chair_seat", chair_seat(), stage.add_plain("leather", swatch(0x6A2E22), 0.42F), chair);
   const Mat4 armchair = Placement{{1.10F, 0.0F, -0.98F}, {0.0F, -0.50F, 0.0F}}.matrix();
-  stage.add_object("armchair", armchair_mesh(), add_plain(stage, "velvet", swatch(0x2F5660), 0.72F), armchair);
+  stage.add_object("armchair", armchair_mesh(), stage.add_plain("velvet", swatch(0x2F5660), 0.72F), armchair);
   stage.add_object("armchair_feet", armchair_feet(), walnut, armchair);
   Mesh pillow = cushion({0.20F, 0.19F, 0.045F}, 0.028F, 0.60F);
-  stage.add_object("pillow", pillow, add_plain(stage, "ochre_cloth", swatch(0xC48A36), 0.85F),
+  stage.add_object("pillow", pillow, stage.add_plain("ochre_cloth", swatch(0xC48A36), 0.85F),
                    armchair * Placement{{0.08F, 0.63F, -0.12F}, {-0.30F, 0.25F, 0.20F}}.matrix());
 }
 
@@ -129,10 +110,10 @@ void add_table(Stage& stage, int walnut) {
   const Vec3 place{-0.62F, 0.0F, -0.10F};
   stage.add_object("table", table_mesh(0.50F), walnut, Placement{place}.matrix());
   const Vec3 top = place + Vec3(-0.06F, 0.7415F, -0.05F);
-  stage.add_object("bowl", bowl_mesh(), add_textured(stage, "celadon", bowl_painting(256, 128), 0.22F),
+  stage.add_object("bowl", bowl_mesh(), stage.add_textured("celadon", bowl_painting(256, 128), 0.22F),
                    Placement{top, {0.0F, 0.0F, 0.0F}, Vec3(1.25F)}.matrix());
-  const int peel = add_textured(stage, "orange", orange_painting(256, 128), 0.42F,
-                                stage.add_texture("orange_pores", orange_pores(256, 128)));
+  const int peel = stage.add_textured("orange", orange_painting(256, 128), 0.42F,
+                                      stage.add_texture("orange_pores", orange_pores(256, 128)));
   const int orange = stage.add_mesh(orange_mesh());
   stage.add_object("orange_1", orange, peel,
                    Placement{top + Vec3(-0.035F, 0.026F, 0.020F), {0.4F, 0.0F, 0.2F}}.matrix());
@@ -141,7 +122,7 @@ void add_table(Stage& stage, int walnut) {
   stage.add_object("orange_3", orange, peel,
                    Placement{top + Vec3(0.000F, 0.026F, -0.050F), {0.9F, 1.0F, 0.1F}}.matrix());
   Mesh books = slab_at({0.0F, 0.016F, 0.0F}, {0.075F, 0.016F, 0.105F}, 0.004F, 0.2F);
-  stage.add_object("book_on_table", books, add_plain(stage, "green_binding", swatch(0x2E4A38), 0.6F),
+  stage.add_object("book_on_table", books, stage.add_plain("green_binding", swatch(0x2E4A38), 0.6F),
                    Placement{place + Vec3(0.22F, 0.7415F, 0.12F), {0.0F, 0.5F, 0.0F}}.matrix());
 }
 
@@ -162,20 +143,20 @@ void add_shelf(Stage& stage, int walnut) {
       append(books, row);
     }
     const std::string name = "books_" + std::to_string(color + 1);
-    stage.add_object(name, books, add_plain(stage, name, bindings[color], 0.55F), place);
+    stage.add_object(name, books, stage.add_plain(name, bindings[color], 0.55F), place);
   }
 }
 
 void add_walls_decor(Stage& stage, int walnut) {
-  const int gilt = add_plain(stage, "gilt", {0.83F, 0.62F, 0.30F}, 0.32F, 1.0F);
+  const int gilt = stage.add_plain("gilt", {0.83F, 0.62F, 0.30F}, 0.32F, 1.0F);
   const Mat4 mirror = Placement{{0.10F, 1.52F, -kHalfZ + 0.014F}}.matrix();
   stage.add_object("mirror", mirror_glass(0.36, 0.52),
-                   add_plain(stage, "silver", Vec3(0.95F, 0.95F, 0.94F), 0.02F, 1.0F), mirror);
+                   stage.add_plain("silver", Vec3(0.95F, 0.95F, 0.94F), 0.02F, 1.0F), mirror);
   stage.add_object("mirror_frame", mirror_frame(0.36, 0.52), gilt, mirror);
   const Vec3 center{-1.18F, 1.62F, -kHalfZ + 0.012F};
   Mesh canvas = panel(center + Vec3(-0.27F, -0.20F, 0.004F), {0.54F, 0.0F, 0.0F}, {0.0F, 0.40F, 0.0F}, 1.0F);
   for (Vec2& uv : canvas.uvs) uv = {uv.x / 0.54F, 1.0F - uv.y / 0.40F};
-  stage.add_object("painting", canvas, add_textured(stage, "landscape", landscape_painting(384, 288), 0.5F));
+  stage.add_object("painting", canvas, stage.add_textured("landscape", landscape_painting(384, 288), 0.5F));
   Mesh frame;
   for (const float side : {-1.0F, 1.0F}) {
     append(frame, slab_at(center + Vec3(0.0F, side * 0.215F, 0.0F), {0.305F, 0.022F, 0.018F}, 0.007F, 0.9F));
@@ -186,10 +167,10 @@ void add_walls_decor(Stage& stage, int walnut) {
 
 void add_plant(Stage& stage) {
   const Mat4 place = Placement{{0.22F, 0.0F, -1.44F}}.matrix();
-  stage.add_object("pot", pot_mesh(), add_plain(stage, "terracotta", swatch(0xA85C3A), 0.75F), place);
-  stage.add_object("plant_leaves", leaves_mesh(22, 9), add_textured(stage, "leaf", leaf_painting(128, 256), 0.38F),
+  stage.add_object("pot", pot_mesh(), stage.add_plain("terracotta", swatch(0xA85C3A), 0.75F), place);
+  stage.add_object("plant_leaves", leaves_mesh(22, 9), stage.add_textured("leaf", leaf_painting(128, 256), 0.38F),
                    place);
-  stage.add_object("plant_stems", plant_stems(22, 9), add_plain(stage, "plant_stem", swatch(0x5E6A3A), 0.7F), place);
+  stage.add_object("plant_stems", plant_stems(22, 9), stage.add_plain("plant_stem", swatch(0x5E6A3A), 0.7F), place);
 }
 
 }  // namespace
@@ -197,13 +178,12 @@ void add_plant(Stage& stage) {
 Scene build_room() {
   Stage stage;
   const int relief = stage.add_texture("wood_relief", wood_relief(384, 192, {0.9, 0.45}));
-  const int oak =
-      add_textured(stage, "oak", wood_painting(768, 384, swatch(0xA67C50), swatch(0x6E4A2A)), 0.42F, relief);
+  const int oak = stage.add_textured("oak", wood_painting(768, 384, swatch(0xA67C50), swatch(0x6E4A2A)), 0.42F, relief);
   const int walnut =
-      add_textured(stage, "walnut", wood_painting(512, 256, swatch(0x6E4426), swatch(0x351D10)), 0.36F, relief);
+      stage.add_textured("walnut", wood_painting(512, 256, swatch(0x6E4426), swatch(0x351D10)), 0.36F, relief);
   add_shell(stage, oak);
   add_lamp(stage);
-  stage.add_object("rug", rug_mesh(1.15F, 0.77F), add_textured(stage, "rug", rug_painting(512, 340), 0.95F),
+  stage.add_object("rug", rug_mesh(1.15F, 0.77F), stage.add_textured("rug", rug_painting(512, 340), 0.95F),
                    Placement{{-0.25F, 0.0F, 0.15F}}.matrix());
   add_table(stage, walnut);
   add_seats(stage, walnut);

@@ -31,6 +31,25 @@ int Stage::add_material(Material material) {
   return static_cast<int>(scene_.materials.size()) - 1;
 }
 
+int Stage::add_plain(const std::string& name, const Vec3& color, float roughness, float metallic) {
+  Material material;
+  material.name = name;
+  material.base_color = color;
+  material.roughness = roughness;
+  material.metallic = metallic;
+  return add_material(std::move(material));
+}
+
+int Stage::add_textured(const std::string& name, Image picture, float roughness, int relief) {
+  Material material;
+  material.name = name;
+  material.base_color = Vec3(1.0F);
+  material.base_color_texture = add_texture(name, std::move(picture));
+  material.roughness = roughness;
+  material.normal_texture = relief;
+  return add_material(std::move(material));
+}
+
 int Stage::add_mesh(Mesh mesh) {
   for (Vec3& p : mesh.positions) p = rounded(p, 131072.0F);
   for (Vec3& n : mesh.normals) n = rounded(n, 16384.0F);

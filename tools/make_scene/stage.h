@@ -11,6 +11,9 @@ class Stage {
   /// Index of the new texture, for a Material.
   int add_texture(const std::string& name, Image image);
   int add_material(Material material);
+  int add_plain(const std::string& name, const Vec3& color, float roughness, float metallic = 0.0F);
+  /// A material whose colour is a picture; relief: the texture of its normals, -1 for none.
+  int add_textured(const std::string& name, Image picture, float roughness, int relief = -1);
   /// Coordinates are rounded to 2^-17, normals to 2^-14: a last bit that differs between mathematical libraries is gone
   /// from the file.
   int add_mesh(Mesh mesh);

@@ -1,0 +1,178 @@
+// A session beyond its camera: the paint of each, one rig for several.
+#include <fstream>
+
+#include "studio/script.h"
+#include "studio/session_fixture.h"
+#include "studio/shot_view.h"
+#include "studio/shots.h"
+
+namespace luminist {
+namespace {
+
+/// The ball under one light, seen by two cameras, of which one has a name that no path can hold as it is.
+class CamerasTest : public SessionTest {
+ protected:
+  static constexpr const char* kFront = "front";
+  static constexpr const char* kSide = "100%/side";
+
+  void SetUp() override {
+    SessionTest::SetUp();
+    LUM_ASSERT_OK(Scene scene, load_scene(folder_.file("ball.obj"), {}, diagnostics_));
+    scene.cameras[0].name = kFront;
+    Camera side = camera_at(Vec3(5.0F, 2.0F, 0.0F), Vec3(0.0F, 1.0F, 0.0F), 0.7F);
+    side.name = kSide;
+    scene.cameras.push_back(side);
+    LUM_EXPECT_OK(save_scene(scene, folder_.file("two.glb")));
+    session_ = open_two("");
+    NewLight plain;
+    plain.from_paint = false;
+    LUM_ASSERT_OK([[maybe_unused]] const std::string name, session_->add_light(plain));
+  }
+  std::unique_ptr<Session> open_two(const std::string& camera) {
+    Shot two = shot();
+    two.scene = "two.glb";
+    two.camera = camera;
+    auto session = Session::open(*device_, roots_, two, folder_.path(), diagnostics_);
+    EXPECT_TRUE(session) << session.error().message();
+    return session ? std::move(*session) : nullptr;
+  }
+  void look_through(const std::string& camera) { LUM_EXPECT_OK(session_->view().reframe(camera, 48, 36)); }
+  /// Blue light on the ball, where both cameras see it.
+  static StrokeFile ball_strokes() {
+    StrokeFile file = light_strokes();
+    file.strokes[0].brush.color = Vec3(0.3F, 0.5F, 1.6F);
+    file.strokes[0].brush.diameter = 0.3F;
+    file.strokes[0].points = {{0.68F, 0.34F}, {0.7F, 0.39F}};
+    return file;
+  }
+  void paint() { LUM_EXPECT_OK(session_->paint(ball_strokes(), "strokes.json")); }
+  Image target() {
+    auto target = session_->target();
+    EXPECT_TRUE(target) << target.error().message();
+    return target ? (*target)->color : Image();
+  }
+  Shots shots() { return Shots(*session_); }
+  std::string save_rig_to(const std::string& name, const LightRig& rig) {
+    LUM_EXPECT_OK(save_rig(rig, folder_.file(name)));
+    return folder_.file(name);
+  }
+};
+
+TEST_F(CamerasTest, PaintStaysWithItsCamera) {
+  paint();
+  const Image front = target();
+  LUM_EXPECT_OK(session_->set_importance(0.35F, 0.65F));
+  const std::string before = hash();
+  look_through(kSide);
+  EXPECT_FALSE(session_->painted());
+  EXPECT_EQ(session_->project().document().get("paint/nu"), "0.35") << "as the lighter last wanted";
+  EXPECT_EQ(shots().painted(), (std::vector<PaintedFrame>{{{kFront, 0}, 1}}));
+  paint();
+  paint();
+  const Image side = target();
+  EXPECT_EQ(shots().painted(), (std::vector<PaintedFrame>{{{kSide, 0}, 2}, {{kFront, 0}, 1}}));
+  look_through("");
+  EXPECT_EQ(target().data, front.data);
+  EXPECT_EQ(shots().painted(), (std::vector<PaintedFrame>{{{kSide, 0}, 2}, {{kFront, 0}, 1}}));
+  look_through(kSide);
+  EXPECT_EQ(target().data, side.data);
+  for (int step = 0; step < 5; ++step) LUM_EXPECT_OK(session_->undo());
+  EXPECT_EQ(hash(), before);
+  EXPECT_EQ(target().data, front.data);
+}
+
+TEST_F(CamerasTest, FramesStayWithTheirCamera) {
+  paint();
+  LUM_EXPECT_OK(session_->go_to(12));
+  paint();
+  paint();
+  look_through(kSide);
+  paint();
+  LUM_EXPECT_OK(session_->go_to(0));
+  const std::vector<PaintedFrame> all = {{{kSide, 12}, 1}, {{kFront, 0}, 1}, {{kFront, 12}, 2}};
+  EXPECT_EQ(shots().painted(), all);
+  EXPECT_FALSE(session_->painted());
+  look_through(kFront);
+  EXPECT_TRUE(session_->painted());
+  EXPECT_EQ(shots().painted(), all);
+  LUM_EXPECT_OK(shots().clear_paint({kSide, 12}));
+  EXPECT_EQ(error_of(shots().clear_paint({kSide, 12})).kind, ErrorKind::kNothingToDo);
+  EXPECT_EQ(shots().painted().size(), 2U);
+}
+
+TEST_F(CamerasTest, AnotherSizeLosesThePaintOfAll) {
+  paint();
+  look_through(kSide);
+  paint();
+  LUM_EXPECT_OK(session_->view().reframe(kSide, 32, 24));
+  EXPECT_TRUE(shots().painted().empty());
+  LUM_EXPECT_OK(session_->undo());
+  EXPECT_EQ(shots().painted().size(), 2U);
+}
+
+TEST_F(CamerasTest, OneRigIsFoundForThePaintOfSeveralCamerasAndAcceptingItAnswersAll) {
+  paint();
+  look_through(kSide);
+  paint();
+  const std::vector<FrameChoice> both = {{{kFront, 0}, 3.0}, {{kSide, 0}, 1.0}};
+  LUM_EXPECT_OK(shots().solve(both, few_evals(), true, {}));
+  const Solved solved = *session_->solved();
+  ASSERT_EQ(solved.frames.size(), 2U);
+  EXPECT_LT(solved.report.epsilon, solved.report.epsilon_start);
+  const double mean = (3.0 * solved.frames[0].start + solved.frames[1].start) / 4.0;
+  EXPECT_NEAR(solved.report.epsilon_start, mean, 1e-4 * mean);
+  // What it says of the camera that is looked through is what that camera's picture says, and so for the other one.
+  const ParamState found = session_->shown();
+  for (const SolvedFrame& frame : solved.frames) {
+    ASSERT_TRUE(frame.verdict);
+    const auto alone = open_two(frame.at.camera);
+    LUM_EXPECT_OK(alone->load_rig(save_rig_to("before.toml", session_->state().rig), folder_.path()));
+    LUM_EXPECT_OK(alone->set_importance(0.1F, 0.5F));
+    LUM_EXPECT_OK(alone->paint(ball_strokes(), "strokes.json"));
+    LUM_ASSERT_OK(const Target* target, alone->target());
+    LUM_ASSERT_OK(const double start, alone->stage().renderer->error(alone->state(), *target));
+    LUM_ASSERT_OK(const double end, alone->stage().renderer->error(found, *target));
+    EXPECT_NEAR(frame.start, start, 1e-4 * start) << frame.at.camera;
+    EXPECT_NEAR(frame.found, end, 1e-4 * start) << frame.at.camera;
+  }
+  LUM_EXPECT_OK(session_->accept());
+  EXPECT_TRUE(shots().painted().empty());
+  LUM_EXPECT_OK(session_->undo());
+  EXPECT_EQ(shots().painted().size(), 2U);
+}
+
+TEST_F(CamerasTest, WhatIsNotPaintedOrNotThereIsNotSolved) {
+  paint();
+  const std::vector<FrameChoice> unpainted = {{{kFront, 0}}, {{kSide, 0}}};
+  EXPECT_EQ(error_of(shots().solve(unpainted, few_evals(), false, {})).kind, ErrorKind::kNothingToDo);
+  const std::vector<FrameChoice> nobody = {{{kFront, 0}}, {{"nobody", 0}}};
+  EXPECT_EQ(error_of(shots().solve(nobody, few_evals(), false, {})).kind, ErrorKind::kNothingToDo);
+}
+
+TEST_F(CamerasTest, AScriptPaintsThroughCamerasAndAProjectKeepsIt) {
+  std::ofstream(folder_.file("strokes.json")) << strokes_to_json(ball_strokes());
+  std::ofstream(folder_.file("cameras.jsonl")) << R"({"do": "open", "scene": "two.glb", "size": [48, 36]}
+{"do": "add_light", "name": "light", "from_paint": false}
+{"do": "paint", "strokes": "strokes.json"}
+{"do": "reframe", "camera": "100%/side"}
+{"do": "paint", "strokes": "strokes.json"}
+{"do": "solve_frames", "frames": [0, 0], "cameras": ["front", "100%/side"], "max_evals": 10, "judge": false}
+{"do": "revert"}
+{"do": "paint", "strokes": "strokes.json"}
+{"do": "save", "project": "painted.lum"}
+)";
+  std::vector<std::string> solved;
+  ScriptEvents events;
+  events.solved = [&](const Solved& each, const ParamState&) {
+    for (const SolvedFrame& frame : each.frames) solved.push_back(frame.at.camera);
+  };
+  LUM_EXPECT_OK(run_script(*device_, roots_, folder_.file("cameras.jsonl"), folder_.path(), events, diagnostics_));
+  EXPECT_EQ(solved, (std::vector<std::string>{kFront, kSide}));
+  session_ = open_project("painted.lum");
+  ASSERT_NE(session_, nullptr);
+  EXPECT_EQ(session_->shot().camera, kSide);
+  EXPECT_EQ(shots().painted(), (std::vector<PaintedFrame>{{{kSide, 0}, 2}, {{kFront, 0}, 1}}));
+}
+
+}  // namespace
+}  // namespace luminist
