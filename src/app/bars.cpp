@@ -10,6 +10,7 @@
 #include "app/questions.h"
 #include "app/shots_panel.h"
 #include "app/style_panel.h"
+#include "studio/shot_camera.h"
 
 namespace luminist {
 namespace {
@@ -152,8 +153,10 @@ void menu_bar(Desk& desk) {
     const HistoryFacts& history = desk.now->history;
     const Shot& shot = desk.now->facts->shot;
     const std::string name = history.unsaved ? "unsaved" : history.folder.filename().string();
-    const std::string title = fmt::format("{}   {}   {} x {}   {}", std::filesystem::path(shot.scene).stem().string(),
-                                          shot.style, shot.width, shot.height, name);
+    const std::vector<std::string>& cameras = desk.now->facts->cameras;
+    const std::string camera = cameras.size() > 1 ? "   " + camera_name(shot.camera, cameras) : "";
+    const std::string title = fmt::format("{}{}   {}   {} x {}   {}", std::filesystem::path(shot.scene).stem().string(),
+                                          camera, shot.style, shot.width, shot.height, name);
     const float width = ImGui::CalcTextSize(title.c_str()).x;
     // Where there is no room its beginning is cut off; the tooltip has the rest.
     const float left = ImGui::GetCursorPosX() + desk.theme.px(16.0F);

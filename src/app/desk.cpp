@@ -107,6 +107,14 @@ std::string Desk::with_key(const std::string& text, Deed deed) const {
   return key.empty() ? text : text + " (" + key + ")";
 }
 
+void Desk::see(std::shared_ptr<const StudioSnapshot> latest) {
+  const auto place = [](const StudioSnapshot& snapshot) {
+    return snapshot.frames ? Vantage{snapshot.frames->camera, snapshot.frames->frame} : Vantage{};
+  };
+  if (now && place(*now) != place(*latest)) selected_stroke = pointed_stroke = 0;
+  now = std::move(latest);
+}
+
 void Desk::hush() {
   if (!messages.empty()) messages.back().time = -std::numeric_limits<double>::infinity();
 }

@@ -81,6 +81,8 @@ struct Desk {
   void tell(StudioMessage::Kind kind, std::string text);
   /// What was told concerns what was done before: the list keeps it, the line below the picture does not.
   void hush();
+  /// Another snapshot. A stroke that is selected is one of its camera and frame.
+  void see(std::shared_ptr<const StudioSnapshot> latest);
 };
 
 /// Does what a key, a menu or a button asks for. digit is that of Deed::kOpacity.

@@ -93,6 +93,15 @@ void ShotsPanel::ruler(Desk& desk, const FrameFacts& facts, const TimeScale& sca
   ImGui::SetCursorScreenPos({at.x, at.y + deep + theme.px(2.0F)});
 }
 
+void ShotsPanel::clear_menu(Desk& desk, const Vantage& at) {
+  if (!ImGui::BeginPopupContextItem("clear")) return;
+  const std::string words = "Clear the paint of " + vantage_text(at, desk.now->facts->cameras);
+  if (ImGui::MenuItem(words.c_str())) {
+    desk.studio->act("clear the paint", [at](Session& session) { return Shots(session).clear_paint(at); });
+  }
+  ImGui::EndPopup();
+}
+
 /// A dab for every frame with strokes.
 void ShotsPanel::paint_row(Desk& desk, const FrameFacts& facts, const TimeScale& scale) {
   const Theme& theme = desk.theme;
@@ -114,18 +123,13 @@ void ShotsPanel::paint_row(Desk& desk, const FrameFacts& facts, const TimeScale&
     tip(theme, fmt::format("Frame {}: {} stroke{}. Click to go there, right click to clear.", number, painted.strokes,
                            painted.strokes == 1 ? "" : "s")
                    .c_str());
-    if (ImGui::BeginPopupContextItem("clear")) {
-      if (ImGui::MenuItem(fmt::format("Clear the paint of frame {}", number).c_str())) {
-        const Vantage where = painted.at;
-        desk.studio->act("clear the paint", [where](Session& session) { return Shots(session).clear_paint(where); });
-      }
-      ImGui::EndPopup();
-    }
+    clear_menu(desk, painted.at);
     ImGui::PopID();
   }
-  if (facts.painted.empty()) {
+  if (std::ranges::none_of(facts.painted, [&](const PaintedFrame& each) { return each.at.camera == facts.camera; })) {
+    const char* words = facts.painted.empty() ? "no frame is painted" : "no frame is painted through this camera";
     list.AddText(theme.small, theme.small->FontSize, {scale.left + theme.px(8.0F), at.y + theme.px(2.0F)},
-                 paint_colors::kDim, "no frame is painted");
+                 paint_colors::kDim, words);
   }
   ImGui::SetCursorScreenPos({at.x, at.y + theme.px(kRow)});
 }

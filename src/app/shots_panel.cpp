@@ -92,13 +92,20 @@ void ShotsPanel::toolbar(Desk& desk, const FrameFacts& facts) {
   tip(desk.theme, fmt::format("{:g} frames a second, frames {} to {}", facts.fps, facts.first, facts.last).c_str());
   const float side = ImGui::GetFrameHeight();
   ImGui::SameLine(ImGui::GetContentRegionMax().x - desk.theme.px(148.0F) - side);
-  if (tab("Keys", !together_)) together_ = false;
+  const bool together = together_shown(desk, facts);
+  if (tab("Keys", !together)) together_ = false;
   tip(desk.theme, "Keys of the selected light over the frames");
   ImGui::SameLine(0.0F, desk.theme.px(2.0F));
-  if (tab("Solve together", together_)) together_ = true;
-  tip(desk.theme, "One rig for what is painted on several frames");
+  if (tab("Solve together", together)) together_ = true;
+  tip(desk.theme, "One rig for what is painted on several frames or through several cameras");
   ImGui::SameLine(0.0F, desk.theme.px(6.0F));
   if (button(desk, "x", "Hide this panel; the View menu brings it back", side)) desk.show_shots = false;
+}
+
+bool ShotsPanel::together_shown(const Desk& desk, const FrameFacts& facts) const {
+  if (together_) return *together_;
+  const bool in_time = facts.moving || !desk.now->shown->rig.keys.empty();
+  return !in_time && facts.several_cameras();
 }
 
 void ShotsPanel::refresh_strip(const Desk& desk, const FrameFacts& facts) {
@@ -175,7 +182,7 @@ void ShotsPanel::draw(Desk& desk) {
   const FrameFacts& facts = *desk.now->frames;
   if (head_ && !ImGui::IsMouseDown(ImGuiMouseButton_Left) && facts.frame == *head_) head_.reset();
   toolbar(desk, facts);
-  if (together_) return together(desk, facts);
+  if (together_shown(desk, facts)) return this->together(desk, facts);
   strip(desk, facts);
   timeline(desk, facts);
 }

@@ -1,5 +1,6 @@
 #pragma once
-// app/shots_panel.h -- the shot over time, below the picture: frames, keys, paint, and one rig for several frames.
+// app/shots_panel.h -- the shot over time, below the picture: frames, keys, paint, and one rig for several frames and
+// cameras.
 #include <map>
 #include <memory>
 #include <optional>
@@ -25,11 +26,13 @@ class ShotsPanel {
 
  private:
   void toolbar(Desk& desk, const FrameFacts& facts);
+  [[nodiscard]] bool together_shown(const Desk& desk, const FrameFacts& facts) const;
   void strip(Desk& desk, const FrameFacts& facts);
   void refresh_strip(const Desk& desk, const FrameFacts& facts);
   void want(Desk& desk, int pictures);
   void timeline(Desk& desk, const FrameFacts& facts);
   void ruler(Desk& desk, const FrameFacts& facts, const TimeScale& scale, float height);
+  static void clear_menu(Desk& desk, const Vantage& at);  ///< of the item before, by a right click
   void paint_row(Desk& desk, const FrameFacts& facts, const TimeScale& scale);
   void key_row(Desk& desk, const FrameFacts& facts, const TimeScale& scale, const KeyRow& row);
   void key_marks(Desk& desk, const KeyRow& row, const TimeScale& scale, float middle);
@@ -38,9 +41,9 @@ class ShotsPanel {
   void together(Desk& desk, const FrameFacts& facts);
   void choice_row(Desk& desk, const FrameFacts& facts, const PaintedFrame& painted);
 
-  bool together_ = false;    ///< the tab
-  int every_ = 4;            ///< frames between pictures of the strip
-  int wanted_pictures_ = 0;  ///< that was asked for
+  std::optional<bool> together_;  ///< the tab, as the lighter chose; else what the shot has
+  int every_ = 4;                 ///< frames between pictures of the strip
+  int wanted_pictures_ = 0;       ///< that was asked for
   int wanted_every_ = 0;
   KeyInterpolation interpolation_ = KeyInterpolation::kSmooth;  ///< of new keys
   std::optional<double> head_;                                  ///< frame under the hand that drags through time

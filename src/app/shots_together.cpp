@@ -55,16 +55,9 @@ void solve(Desk& desk, const std::vector<FrameChoice>& choices, bool judge) {
   });
 }
 
-bool several_cameras(const FrameFacts& facts) {
-  return std::ranges::any_of(facts.painted, [&](const PaintedFrame& each) { return each.at.camera != facts.camera; });
-}
-
 void go(const Desk& desk, const Vantage& present, const Vantage& at) {
   if (at.camera == present.camera) return desk.studio->go_to(at.frame);
-  desk.studio->change("look through " + at.camera, [at](Session& session) -> Result<void> {
-    LUM_TRY_VOID(session.view().reframe(at.camera, session.shot().width, session.shot().height));
-    return session.go_to(at.frame);
-  });
+  desk.studio->change("look through " + at.camera, [at](Session& session) { return session.view().look_through(at); });
 }
 
 }  // namespace
@@ -73,17 +66,22 @@ void ShotsPanel::choice_row(Desk& desk, const FrameFacts& facts, const PaintedFr
   const Theme& theme = desk.theme;
   Choice& choice = choices_[painted.at];
   const Vantage present{facts.camera, facts.frame};
-  const std::string name = vantage_text(painted.at, present);
+  const std::string name = vantage_text(painted.at, desk.now->facts->cameras);
   ImGui::PushID(name.c_str());
   ImGui::Checkbox("##on", &choice.on);
   tip(theme, "Whether this paint takes part.");
   ImGui::SameLine(0.0F, theme.px(6.0F));
   ImGui::PushStyleColor(ImGuiCol_Text, painted.at == present ? paint_colors::kAccent : paint_colors::kText);
-  if (ImGui::Button(name.c_str(), {theme.px(several_cameras(facts) ? 150.0F : 76.0F), 0.0F})) {
+  const float width = std::max(theme.px(76.0F), ImGui::CalcTextSize(name.c_str()).x + theme.px(16.0F));
+  if (ImGui::Button(name.c_str(),
+                    {desk.now->facts->cameras.size() > 1 ? std::max(width, theme.px(150.0F)) : width, 0.0F})) {
     go(desk, present, painted.at);
   }
   ImGui::PopStyleColor();
-  tip(theme, fmt::format("{} stroke{}. Click to go there.", painted.strokes, painted.strokes == 1 ? "" : "s").c_str());
+  tip(theme, fmt::format("{} stroke{}. Click to go there, right click to clear.", painted.strokes,
+                         painted.strokes == 1 ? "" : "s")
+                 .c_str());
+  clear_menu(desk, painted.at);
   ImGui::SameLine(0.0F, theme.px(6.0F));
   ImGui::SetNextItemWidth(theme.px(104.0F));
   ImGui::SliderFloat("##weight", &choice.weight, 0.1F, 10.0F, "weight %.2f",

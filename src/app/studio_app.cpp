@@ -86,7 +86,7 @@ class StudioApp {
 
   void frame() {
     desk_.time = Window::seconds();
-    desk_.now = studio_.latest();
+    desk_.see(studio_.latest());
     desk_.pen = window_->pen().told();
     desk_.activity = studio_.activity();
     for (StudioMessage& message : studio_.take_messages()) desk_.messages.push_back({std::move(message), desk_.time});

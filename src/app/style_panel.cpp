@@ -8,6 +8,7 @@
 
 #include "app/icons.h"
 #include "app/style_parts.h"
+#include "studio/shot_camera.h"
 #include "studio/shot_view.h"
 
 namespace luminist {
@@ -32,7 +33,7 @@ void restyle(const Desk& desk, const std::string& name) {
 
 /// What another size costs.
 void say_what_goes(const Desk& desk) {
-  if (!desk.now->any_paint) return;
+  if (!desk.now->any_paint && (!desk.now->frames || desk.now->frames->painted.empty())) return;
   ImGui::PushStyleColor(ImGuiCol_Text, paint_colors::kWarn);
   ImGui::TextUnformatted("The paint of every camera goes with the size; undo brings both back.");
   ImGui::PopStyleColor();
@@ -52,16 +53,11 @@ void dim_text(const std::string& text) {
   ImGui::PopStyleColor();
 }
 
-/// The camera that is looked through: a shot without one has the scene's first.
-std::string camera_of(const ShotFacts& facts) {
-  return facts.shot.camera.empty() && !facts.cameras.empty() ? facts.cameras.front() : facts.shot.camera;
-}
-
 }  // namespace
 
 void camera_choices(Desk& desk) {
   const ShotFacts& facts = *desk.now->facts;
-  const std::string now = camera_of(facts);
+  const std::string now = camera_name(facts.shot.camera, facts.cameras);
   for (const std::string& camera : facts.cameras) {
     if (ImGui::Selectable(camera.c_str(), camera == now)) reframe(desk, camera, facts.shot.width, facts.shot.height);
     tip(desk.theme,
@@ -87,7 +83,7 @@ void StylePanel::shot_rows(Desk& desk) {
   const Shot& shot = facts.shot;
   row_label(desk.theme, "Camera", "From where the shot is seen: a camera of the scene.");
   ImGui::SetNextItemWidth(-1.0F);
-  if (ImGui::BeginCombo("##camera", camera_of(facts).c_str())) {
+  if (ImGui::BeginCombo("##camera", camera_name(facts.shot.camera, facts.cameras).c_str())) {
     camera_choices(desk);
     ImGui::EndCombo();
   }

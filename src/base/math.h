@@ -43,10 +43,10 @@ struct SceneFrame {
   float radius = 1.0F;  ///< half the diagonal of the bounds, > 0
 };
 
-/// v at length 1; `otherwise` where it has next to no length.
+/// v at length 1; `otherwise` where it has next to no length, or too much.
 inline Vec3 unit_or(const Vec3& v, const Vec3& otherwise) {
   const float length = glm::length(v);
-  return length > 1e-6F ? v / length : otherwise;
+  return length > 1e-6F && std::isfinite(length) ? v / length : otherwise;
 }
 
 /// The mean of the three channels.

@@ -26,9 +26,9 @@ struct PrepWords {
   bool json = false;
 };
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-Json to_json(const std::string& name, std::size_t triangles, const RepairReport& report) {
+OrderedJson to_json(const std::string& name, std::size_t triangles, const RepairReport& report) {
   return {{"mesh", name},
           {"triangles", triangles},
           {"components", report.components},
@@ -70,7 +70,7 @@ std::map<std::string, int> methods_of(const Unwrapped& unwrapped) {
   return methods;
 }
 
-Json to_json(const Unwrapped& unwrapped, double seconds) {
+OrderedJson to_json(const Unwrapped& unwrapped, double seconds) {
   const UnwrapTotals& totals = unwrapped.totals;
   return {{"charts", unwrapped.charts.size()},
           {"methods", methods_of(unwrapped)},
@@ -122,7 +122,8 @@ std::string name_of(const Scene& scene, std::size_t mesh) {
 }
 
 /// Gives a mesh without texture coordinates its atlas, and says and draws what came of it.
-Result<void> unwrap_mesh(const PrepWords& words, std::size_t index, Scene& scene, Json& json, std::string& text) {
+Result<void> unwrap_mesh(const PrepWords& words, std::size_t index, Scene& scene, OrderedJson& json,
+                         std::string& text) {
   constexpr int kDrawing = 2048;  // pixels a side
   const auto start = std::chrono::steady_clock::now();
   Unwrapped unwrapped = unwrap(scene.meshes[index]);
@@ -165,7 +166,7 @@ Result<int> prep(const PrepWords& words, VerbContext& context) {
     const Repaired repaired = repair(scene->meshes[i]);
     scene->meshes[i] = with_surface(scene->meshes[i], repaired.surface);
     const std::size_t triangles = repaired.surface.triangles.size();
-    Json json = to_json(name, triangles, repaired.report);
+    OrderedJson json = to_json(name, triangles, repaired.report);
     std::string text = line_of(name, triangles, repaired.report);
     const bool unwrapped = words.unwrap || !words.drawing.empty();
     if (unwrapped && is_seen(*scene, i)) LUM_TRY_VOID(unwrap_mesh(words, i, *scene, json, text));

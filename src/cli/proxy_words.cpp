@@ -17,7 +17,7 @@
 namespace luminist {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 using Objects = std::vector<std::size_t>;
 
 Error bad_words(std::string what, const char* flag, std::string hint) {
@@ -75,7 +75,7 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-void add_shadow_proxy(double share, const Objects& objects, std::size_t mesh, Scene& scene, Json& json,
+void add_shadow_proxy(double share, const Objects& objects, std::size_t mesh, Scene& scene, OrderedJson& json,
                       std::string& text) {
   const auto start = std::chrono::steady_clock::now();
   ShadowProxy proxy = make_shadow_proxy(scene.meshes[mesh], share);
@@ -95,7 +95,7 @@ void add_shadow_proxy(double share, const Objects& objects, std::size_t mesh, Sc
   text += fmt::format("; sticks out by up to {:.2g}; {:.2f} s", proxy.sticks_out, seconds);
 }
 
-void add_shading_proxy(double share, const Objects& objects, std::size_t mesh, Scene& scene, Json& json,
+void add_shading_proxy(double share, const Objects& objects, std::size_t mesh, Scene& scene, OrderedJson& json,
                        std::string& text) {
   constexpr double kDegrees = 180.0 / kPi;
   const auto start = std::chrono::steady_clock::now();
@@ -133,7 +133,7 @@ Result<ProxyShares> proxy_shares(const ProxyWords& words, const Scene& scene) {
   return shares;
 }
 
-void add_proxies(const ProxyShares& shares, std::size_t mesh, Scene& scene, Json& json, std::string& text) {
+void add_proxies(const ProxyShares& shares, std::size_t mesh, Scene& scene, OrderedJson& json, std::string& text) {
   for (const auto& [share, objects] : grouped(shares.shadow, mesh, scene)) {
     if (share > 0.0) add_shadow_proxy(share, objects, mesh, scene, json, text);
   }

@@ -13,7 +13,7 @@
 namespace luminist {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Json = nlohmann::json;
 
 std::string folder_of(const SolveWords& words, const SharedView& view) {
   return (std::filesystem::path(words.output) / view.name).string();

@@ -12,7 +12,7 @@
 namespace luminist {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using Json = nlohmann::json;
 
 std::vector<std::string> style_words(const std::string& text) {
   std::vector<std::string> words;

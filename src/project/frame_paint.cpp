@@ -4,6 +4,7 @@
 #include <charconv>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -18,6 +19,7 @@ namespace {
 constexpr std::string_view kFrames = "frames/";
 constexpr std::string_view kCameras = "cameras/";
 constexpr std::string_view kPaint = "paint/";
+constexpr std::string_view kStrokes = "paint/strokes";
 
 /// A camera's name as a part of a path, which has no "/".
 std::string escaped(std::string_view name) {
@@ -37,13 +39,8 @@ std::string unescaped(std::string_view text) {
   return name;
 }
 
-std::string folder_of(const std::string& camera) {
-  return fmt::format("{}{}/", kCameras, escaped(camera));
-}
-
-std::string folder_of(const Vantage& present, const Vantage& vantage) {
-  return fmt::format("{}{}{}/", vantage.camera == present.camera ? "" : folder_of(vantage.camera), kFrames,
-                     number_text(vantage.frame + 0.0));
+std::string folder_of(const Vantage& vantage) {
+  return fmt::format("{}{}/{}{}/", kCameras, escaped(vantage.camera), kFrames, number_text(vantage.frame + 0.0));
 }
 
 /// What lies below one prefix lies below another one.
@@ -54,24 +51,18 @@ void move(Document& document, const std::string& from, const std::string& to) {
     moved.emplace_back(to + entry->first.substr(from.size()), entry->second);
   }
   document.erase_below(from);
+  document.erase_below(to);
   for (auto& [path, value] : moved) document.set(path, std::move(value));
 }
 
-std::uint32_t strokes_of(const Document& document) {
-  const std::string_view text = document.get("paint/strokes");
-  std::uint32_t strokes = 0;
-  std::from_chars(text.data(), text.data() + text.size(), strokes);
-  return has_paint(document) ? std::max(strokes, 1U) : 0;
-}
-
-/// A path of paint that is put away, taken apart.
+/// A path of paint that is put away, taken apart; `camera` is that of paths that name none.
 struct AwayPath {
   Vantage at;
   std::string_view rest;  ///< "paint/..."
 };
 
-std::optional<AwayPath> take_apart(std::string_view path, const Vantage& present) {
-  AwayPath away{{present.camera, 0.0}, {}};
+std::optional<AwayPath> take_apart(std::string_view path, const std::string& camera) {
+  AwayPath away{{camera, 0.0}, {}};
   if (path.starts_with(kCameras)) {
     path.remove_prefix(kCameras.size());
     const std::size_t end = std::min(path.find('/'), path.size());
@@ -87,39 +78,49 @@ std::optional<AwayPath> take_apart(std::string_view path, const Vantage& present
   return away;
 }
 
-/// The paint that is put away, as documents of their own.
-std::map<Vantage, Document> put_away(const Document& document, const Vantage& present) {
-  std::map<Vantage, Document> paints;
-  for (const std::string_view folder : {kCameras, kFrames}) {
-    const Document::Entries& entries = document.entries();
-    for (auto entry = entries.lower_bound(folder); entry != entries.end() && entry->first.starts_with(folder);
-         ++entry) {
-      if (const auto away = take_apart(entry->first, present)) paints[away->at].set(away->rest, entry->second);
-    }
+/// Projects of before paint stayed with its camera have that of other frames at "frames/FRAME/paint/...".
+void adopt_frames(Document& document, const std::string& camera) {
+  std::set<double> frames;
+  const Document::Entries& entries = document.entries();
+  for (auto entry = entries.lower_bound(kFrames); entry != entries.end() && entry->first.starts_with(kFrames);
+       ++entry) {
+    if (const auto away = take_apart(entry->first, camera)) frames.insert(away->at.frame);
   }
-  return paints;
+  for (const double frame : frames) {
+    const std::string text = number_text(frame + 0.0);
+    move(document, fmt::format("{}{}/", kFrames, text), folder_of({camera, frame}));
+  }
+}
+
+std::uint32_t count_of(std::string_view text) {
+  std::uint32_t strokes = 0;
+  std::from_chars(text.data(), text.data() + text.size(), strokes);
+  return std::max(strokes, 1U);
 }
 
 }  // namespace
 
 std::vector<PaintedFrame> painted_frames(const Document& document, const Vantage& present) {
   std::vector<PaintedFrame> painted;
-  for (const auto& [at, paint] : put_away(document, present)) {
-    if (has_paint(paint) && at != present) painted.push_back({at, strokes_of(paint)});
+  for (const std::string_view folder : {kCameras, kFrames}) {
+    const Document::Entries& entries = document.entries();
+    for (auto entry = entries.lower_bound(folder); entry != entries.end() && entry->first.starts_with(folder);
+         ++entry) {
+      if (!entry->first.ends_with(kStrokes)) continue;
+      const auto away = take_apart(entry->first, present.camera);
+      if (away && away->rest == kStrokes && away->at != present) painted.push_back({away->at, count_of(entry->second)});
+    }
   }
-  if (has_paint(document)) painted.push_back({present, strokes_of(document)});
+  if (has_paint(document)) painted.push_back({present, count_of(document.get(kStrokes))});
   std::ranges::sort(painted, {}, &PaintedFrame::at);
   return painted;
 }
 
 void turn_paint(Document& document, const Vantage& from, const Vantage& to) {
+  adopt_frames(document, from.camera);
   const std::string nu(document.get("paint/nu")), delta(document.get("paint/delta"));
-  move(document, std::string(kPaint), folder_of(from, from) + std::string(kPaint));
-  if (to.camera != from.camera) {
-    move(document, std::string(kFrames), folder_of(from.camera) + std::string(kFrames));
-    move(document, folder_of(to.camera) + std::string(kFrames), std::string(kFrames));
-  }
-  move(document, folder_of(to, to) + std::string(kPaint), std::string(kPaint));
+  move(document, std::string(kPaint), folder_of(from) + std::string(kPaint));
+  move(document, folder_of(to) + std::string(kPaint), std::string(kPaint));
   // What was never painted counts unpainted pixels as the lighter last wanted.
   if (!document.has("paint/nu")) document.set("paint/nu", nu);
   if (!document.has("paint/delta")) document.set("paint/delta", delta);
@@ -132,7 +133,8 @@ Document at_vantage(const Document& document, const Vantage& present, const Vant
 }
 
 void put_frame_paint(Document& document, const Vantage& present, const Vantage& vantage, const Document& paint) {
-  const std::string folder = folder_of(present, vantage);
+  adopt_frames(document, present.camera);
+  const std::string folder = folder_of(vantage);
   document.erase_below(folder + std::string(kPaint));
   for (const auto& [path, value] : paint.entries()) {
     if (path.starts_with(kPaint)) document.set(folder + path, value);
@@ -140,14 +142,19 @@ void put_frame_paint(Document& document, const Vantage& present, const Vantage& 
 }
 
 bool clear_frame_paint(Document& document, const Vantage& present, const Vantage& vantage) {
-  const auto paints = put_away(document, present);
-  const auto found = paints.find(vantage);
-  if (found == paints.end() || !has_paint(found->second)) return false;
-  Document kept;
-  for (const auto& [path, value] : found->second.entries()) {
-    if (path == "paint/nu" || path == "paint/delta" || path.starts_with("paint/previous/")) kept.set(path, value);
+  Document cleared = document;
+  adopt_frames(cleared, present.camera);
+  const std::string folder = folder_of(vantage);
+  if (!cleared.has(folder + std::string(kStrokes))) return false;
+  std::map<std::string, std::string> kept;
+  const Document::Entries& entries = cleared.entries();
+  for (auto entry = entries.lower_bound(folder); entry != entries.end() && entry->first.starts_with(folder); ++entry) {
+    const std::string_view rest = std::string_view(entry->first).substr(folder.size());
+    if (rest == "paint/nu" || rest == "paint/delta" || rest.starts_with("paint/previous/")) kept.insert(*entry);
   }
-  put_frame_paint(document, present, vantage, kept);
+  cleared.erase_below(folder);
+  for (auto& [path, value] : kept) cleared.set(path, std::move(value));
+  document = std::move(cleared);
   return true;
 }
 

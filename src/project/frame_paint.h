@@ -24,8 +24,8 @@ struct PaintedFrame {
   bool operator==(const PaintedFrame&) const = default;
 };
 
-/// All with strokes, by camera and frame; `present` is what is looked at. Its paint is at "paint/...", that of its
-/// camera's other frames at "frames/FRAME/paint/...", that of other cameras at "cameras/NAME/frames/FRAME/paint/...".
+/// All with strokes, by camera and frame; `present` is what is looked at. Its paint is at "paint/...", that of others
+/// at "cameras/NAME/frames/FRAME/paint/..."; without a camera, in projects of before, that of the present one.
 /// cost O(entries of the frames).
 std::vector<PaintedFrame> painted_frames(const Document& document, const Vantage& present);
 

@@ -47,6 +47,8 @@ class Project {
   Result<std::vector<Edit>> redo();
   [[nodiscard]] std::size_t undo_steps() const { return in_force_; }
   [[nodiscard]] std::size_t redo_steps() const { return history_.size() - in_force_; }
+  /// Another number after every command that is recorded; the same after undo and redo.
+  [[nodiscard]] std::size_t newest() const { return history_.empty() ? 0 : history_.back() + 1; }
   /// A command, oldest first, in [0, undo_steps() + redo_steps()).
   [[nodiscard]] Result<Command> command(std::size_t index) const;
 

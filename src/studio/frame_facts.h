@@ -1,5 +1,6 @@
 #pragma once
 // studio/frame_facts.h -- what a window shows of a shot's frames.
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
@@ -29,6 +30,10 @@ struct FrameFacts {
   std::vector<PaintedFrame> painted;  ///< by any camera
   std::vector<FramePicture> strip;    ///< ascending
   std::vector<SolvedFrame> solved;    ///< of a proposal for several; without their paint
+
+  [[nodiscard]] bool several_cameras() const {  ///< are painted through
+    return std::ranges::any_of(painted, [&](const auto& each) { return each.at.camera != painted[0].at.camera; });
+  }
 };
 
 }  // namespace luminist

@@ -136,12 +136,13 @@ Result<void> FrameStrip::preview(Session& session, const ParamState& lights, dou
 void FrameStrip::tell(Session& session, StudioSnapshot& next) const {
   FrameFacts facts = frame_facts(session);
   const std::vector<double> frames = wanted(session);
+  const bool of_shot = shot_text(session.shot()) == shot_;
   for (const Drawn& drawn : drawn_) {
-    if (std::find(frames.begin(), frames.end(), drawn.frame) == frames.end()) continue;
+    if (!of_shot || std::find(frames.begin(), frames.end(), drawn.frame) == frames.end()) continue;
     facts.strip.push_back({drawn.frame, drawn.picture, drawn.lights != lights_});
   }
   std::sort(facts.strip.begin(), facts.strip.end(), [](const auto& a, const auto& b) { return a.frame < b.frame; });
-  if (preview_) {
+  if (preview_ && of_shot) {
     facts.previewed = preview_->frame;
     next.picture = preview_->picture;
     next.shown = std::make_shared<const ParamState>(preview_->lights);

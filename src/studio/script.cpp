@@ -44,7 +44,7 @@ const std::vector<ScriptRunner::Verb>& ScriptRunner::verbs() {
       {"share_shadows", {"light"}, &R::share_shadows},
       {"load_rig", {"rig"}, &R::load_rig},
       {"style", {"name"}, &R::style},
-      {"reframe", {"camera", "size"}, &R::reframe},
+      {"reframe", {"camera", "size", "frame"}, &R::reframe},
       {"go_to", {"frame"}, &R::go_to},
       {"key", {"pattern", "interpolation"}, &R::key},
       {"remove_key", {"pattern", "frame"}, &R::key},

@@ -31,13 +31,14 @@ Result<double> needed_number(const Action& action, const char* field) {
 }
 
 Result<std::vector<FrameChoice>> choices_of(const Action& action, const Vantage& present) {
-  LUM_TRY(const std::vector<double> frames, action.numbers("frames"));
+  LUM_TRY(std::vector<double> frames, action.numbers("frames"));
+  LUM_TRY(const std::vector<std::string> cameras, action.texts("cameras"));
+  if (frames.empty()) frames.assign(cameras.size(), present.frame);
   LUM_TRY(const std::vector<double> weights, action.numbers("weights"));
-  if (frames.empty()) return action.wrong("the frames that take part are wanted, as [0, 12]", "frames");
+  if (frames.empty()) return action.wrong("the frames that take part are wanted, as [0, 12], or the cameras", "frames");
   if (!weights.empty() && weights.size() != frames.size()) {
     return action.wrong("a weight for each frame is wanted, or none", "weights");
   }
-  LUM_TRY(const std::vector<std::string> cameras, action.texts("cameras"));
   if (!cameras.empty() && cameras.size() != frames.size()) {
     return action.wrong("a camera for each frame is wanted, or none", "cameras");
   }

@@ -17,7 +17,10 @@ Vec3 place(const std::vector<double>& numbers) {
 Result<void> ScriptRunner::reframe(const Action& action) {
   LUM_TRY(const auto camera, action.text("camera"));
   LUM_TRY(const auto size, action.size("size"));
+  LUM_TRY(const auto frame, action.number("frame"));
   const Shot& shot = session_->shot();
+  if (frame && size) return action.wrong("another size has no paint at any frame: give one of both", "size");
+  if (frame) return session_->view().look_through({camera.value_or(shot.camera), *frame});
   return session_->view().reframe(camera.value_or(shot.camera), size ? size->first : shot.width,
                                   size ? size->second : shot.height);
 }

@@ -8,6 +8,7 @@
 #include "project/frame_paint.h"
 #include "project/project.h"
 #include "solve/solve_session.h"
+#include "studio/shot_camera.h"
 #include "studio/solved.h"
 #include "studio/stage.h"
 
@@ -34,10 +35,7 @@ struct SessionData {
   std::optional<ParamState> proposed_;  ///< found elsewhere
   std::optional<Solved> solved_;
   /// What is looked at.
-  [[nodiscard]] Vantage vantage() const {
-    const std::vector<std::string>& cameras = stage_->camera_names;
-    return {shot_.camera.empty() && !cameras.empty() ? cameras.front() : shot_.camera, shot_.frame};
-  }
+  [[nodiscard]] Vantage vantage() const { return {camera_name(shot_.camera, stage_->camera_names), shot_.frame}; }
   bool locks_chosen_ = false;
   std::string layer_ = {};                    ///< that is painted on; one that is not there: the highest
   std::shared_ptr<FreeView> free_view_ = {};  ///< null: nobody looked yet

@@ -1,4 +1,6 @@
 // The part of a session that solves.
+#include <algorithm>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -90,14 +92,17 @@ Result<void> Session::accept() {
   if (!has_proposal()) return no_proposal();
   ParamState next = shown();
   follow_with_keys(next.rig, shot_.frame);
-  LUM_TRY(const Canvas* canvas, this->canvas());
   LUM_TRY(Image picture, stage_->renderer->render(next));
-  Canvas rebased = *canvas;
-  rebased.rebase(picture);
   Document document = project_.document();
   write_state(next, document);
-  LUM_TRY_VOID(write_paint(rebased.state(), document, project_.tiles()));
   Solved accepted = *solved();
+  std::optional<Canvas> rebased;  // unless its paint took no part
+  if (accepted.frames.empty() || std::ranges::count(accepted.frames, vantage(), &SolvedFrame::at) > 0) {
+    LUM_TRY(const Canvas* canvas, this->canvas());
+    rebased = *canvas;
+    rebased->rebase(picture);
+    LUM_TRY_VOID(write_paint(rebased->state(), document, project_.tiles()));
+  }
   for (const SolvedFrame& each : accepted.frames) {
     if (each.at != vantage()) put_frame_paint(document, vantage(), each.at, each.accepted);
   }

@@ -18,6 +18,10 @@ class ShotView {
   /// or a bad size, kLimit.
   Result<void> reframe(const std::string& camera, int width, int height);
 
+  /// Another camera and frame, as one command; both keep their paint. cost and errors as reframe() and
+  /// Session::go_to().
+  Result<void> look_through(const Vantage& at);
+
   /// The shot from anywhere, valid until the shot, its style or its frame is another. Nothing is recorded.
   /// errors FreeView::open()'s. cost reading the scene, once.
   Result<FreeView*> from_anywhere();

@@ -97,10 +97,17 @@ std::vector<PaintedFrame> Shots::painted() const {
   return painted;
 }
 
-Result<void> Shots::clear_paint(const Vantage& at) {
+Result<Vantage> Shots::known(Vantage at) const {
+  const std::vector<std::string>& cameras = session_->stage_->camera_names;
+  LUM_TRY(at.camera, known_camera(at.camera, cameras));
+  return at;
+}
+
+Result<void> Shots::clear_paint(Vantage at) {
+  LUM_TRY(at, known(std::move(at)));
   if (at == present()) return session_->clear_paint();
   Document document = session_->project_.document();
-  const std::string name = vantage_text(at, present());
+  const std::string name = vantage_text(at, session_->stage_->camera_names);
   if (!clear_frame_paint(document, present(), at)) {
     return Error{ErrorKind::kNothingToDo, fmt::format("nothing is painted at {}", name), "", "frame", ""};
   }
@@ -108,9 +115,9 @@ Result<void> Shots::clear_paint(const Vantage& at) {
                           Json{{"do", "clear_paint"}, {"frame", at.frame}, {"camera", at.camera}}.dump(), document);
 }
 
-std::string vantage_text(const Vantage& at, const Vantage& present) {
+std::string vantage_text(const Vantage& at, std::span<const std::string> cameras) {
   const std::string frame = "frame " + number_text(at.frame);
-  return at.camera == present.camera ? frame : fmt::format("{} by {}", frame, at.camera);
+  return cameras.size() > 1 ? fmt::format("{}, {}", at.camera, frame) : frame;
 }
 
 }  // namespace luminist

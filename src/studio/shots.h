@@ -1,5 +1,6 @@
 #pragma once
-// studio/shots.h -- a session over its frames: keys anywhere in time, the paint of each frame, one rig for several.
+// studio/shots.h -- a session beyond its frame and its camera: keys anywhere in time, the paint of each vantage, one
+// rig for several.
 #include <functional>
 #include <span>
 #include <string>
@@ -16,8 +17,8 @@ struct FrameChoice {
   double weight = 1.0;  ///< > 0
 };
 
-/// "frame 12", or "frame 12 by side" where that is another camera than the one that is looked through.
-std::string vantage_text(const Vantage& at, const Vantage& present);
+/// "frame 12", or "side, frame 12" where there are several cameras.
+std::string vantage_text(const Vantage& at, std::span<const std::string> cameras);
 
 /// The calls of a session that look beyond its frame. Each is one gesture, as Session's are. Patterns are those of
 /// params_matching(): lights, parameters, or numbers of them as "lights/key/position.x"; styles have no keys.
@@ -39,11 +40,11 @@ class Shots {
   [[nodiscard]] Vantage present() const { return session_->vantage(); }
   /// By any camera of the scene.
   [[nodiscard]] std::vector<PaintedFrame> painted() const;
-  /// errors kNothingToDo: nothing is painted there.
-  Result<void> clear_paint(const Vantage& at);
+  /// errors kNothingToDo: nothing is painted there; kUsage for an unknown camera (nearest name).
+  Result<void> clear_paint(Vantage at);
 
   /// One rig for the paint of several frames or cameras: the weighted mean of their errors. What it finds is the
-  /// session's proposal, with what became of each frame in Solved::pictures; accepting it answers the paint of all of
+  /// session's proposal, with what became of each frame in Solved::frames; accepting it answers the paint of all of
   /// them. The style and the locks are the session's. What has keys stays as they say, in each frame what it is there;
   /// the rest is what is found. judge: each frame's strokes, unless watch stopped the solve. look: told the lights
   /// found so far, as the session's frame has them, whenever they are better; it may render. errors kUsage: fewer than
@@ -55,6 +56,8 @@ class Shots {
                      const Session::SolveWatch& watch, const Look& look = {});
 
  private:
+  /// "" is the scene's first camera. errors kUsage for an unknown one.
+  Result<Vantage> known(Vantage at) const;
   /// Changes keys of what a pattern names, tells how many there were.
   template <class Edit>
   Result<int> edit_keys(const std::string& pattern, double frame, const std::string& label, const std::string& action,

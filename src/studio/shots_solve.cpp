@@ -1,4 +1,4 @@
-// One rig for several frames (studio/shots.h).
+// One rig for several frames and cameras (studio/shots.h).
 #include <algorithm>
 #include <chrono>
 #include <limits>
@@ -18,7 +18,7 @@ namespace {
 /// What a frame looks like and what is painted on it, as if it were looked at.
 struct FrameView {
   FrameChoice choice;
-  std::unique_ptr<Stage> own;  ///< null: the session's stage shows it
+  std::shared_ptr<Stage> own;  ///< null: the session's stage shows it
   Renderer* renderer = nullptr;
   Canvas canvas;
 };
@@ -28,10 +28,10 @@ Error unfit(std::string what, std::string hint) {
 }
 
 Result<void> check_choices(std::span<const FrameChoice> frames, const std::vector<PaintedFrame>& painted,
-                           const Vantage& present) {
+                           std::span<const std::string> cameras) {
   if (frames.size() < 2) return unfit("a rig is shared by two frames or cameras at least", "solve this one by itself");
   for (std::size_t i = 0; i < frames.size(); ++i) {
-    const std::string name = vantage_text(frames[i].at, present);
+    const std::string name = vantage_text(frames[i].at, cameras);
     if (!(frames[i].weight > 0.0)) return unfit("a weight is above zero", "leave " + name + " out");
     for (std::size_t k = 0; k < i; ++k) {
       if (frames[k].at == frames[i].at) return unfit(fmt::format("{} is named twice", name), "");
@@ -81,24 +81,33 @@ Result<void> check_shared(const ParamState& given, const LightRig& shared, const
                "unlock something without keys that the frames share, or solve one frame after the other"};
 }
 
-Result<FrameView> open_view(SessionData& session, const FrameChoice& choice) {
-  std::unique_ptr<Stage> own;
-  const Vantage present = session.vantage();
-  const auto& [camera, frame] = choice.at;
-  if (camera != present.camera || (session.stage_->moving && frame != present.frame)) {
-    Shot shot = session.shot_;
-    shot.camera = camera;
-    shot.frame = frame;
-    Diagnostics told_already;
-    LUM_TRY(own,
-            open_stage(*session.device_, session.roots_, shot, session.folder_, told_already, session.stage_->moving));
+/// The stage that shows a vantage; null: the session's. Views that look alike share one.
+Result<std::shared_ptr<Stage>> stage_of(SessionData& session, const Vantage& at, std::span<const FrameView> opened) {
+  const bool moving = session.stage_->moving != nullptr;
+  const auto alike = [&](const Vantage& other) {
+    return other.camera == at.camera && (!moving || other.frame == at.frame);
+  };
+  if (alike(session.vantage())) return std::shared_ptr<Stage>();
+  for (const FrameView& view : opened) {
+    if (alike(view.choice.at)) return view.own;
   }
+  Shot shot = session.shot_;
+  shot.camera = at.camera;
+  shot.frame = at.frame;
+  Diagnostics told_already;
+  LUM_TRY(auto stage,
+          open_stage(*session.device_, session.roots_, shot, session.folder_, told_already, session.stage_->moving));
+  return std::shared_ptr<Stage>(std::move(stage));
+}
+
+Result<FrameView> open_view(SessionData& session, const FrameChoice& choice, std::span<const FrameView> opened) {
+  LUM_TRY(auto own, stage_of(session, choice.at, opened));
   Renderer& renderer = own ? *own->renderer : *session.stage_->renderer;
   ParamState there = session.state_;
-  pose(there.rig, frame);
+  pose(there.rig, choice.at.frame);
   LUM_TRY(Image picture, renderer.render(there));
   Canvas canvas(renderer.surface(), std::move(picture), {});
-  const Document document = at_vantage(session.project_.document(), present, choice.at);
+  const Document document = at_vantage(session.project_.document(), session.vantage(), choice.at);
   LUM_TRY(CanvasState painted, read_paint(document, session.project_.tiles(), canvas.state()));
   canvas.restore(std::move(painted));
   return FrameView{choice, std::move(own), &renderer, std::move(canvas)};
@@ -139,14 +148,19 @@ Result<LightRig> starting_rig(const LightRig& rig, const FrameView& view, const 
 
 }  // namespace
 
-Result<void> Shots::solve(std::span<const FrameChoice> frames, const SolveOptions& options, bool judged,
+Result<void> Shots::solve(std::span<const FrameChoice> wanted, const SolveOptions& options, bool judged,
                           const Session::SolveWatch& watch, const Look& look) {
   Session& session = *session_;
-  LUM_TRY_VOID(check_choices(frames, painted(), present()));
+  std::vector<FrameChoice> choices(wanted.begin(), wanted.end());
+  for (FrameChoice& each : choices) {
+    LUM_TRY(each.at, known(each.at));
+  }
+  const std::span<const FrameChoice> frames = choices;
+  LUM_TRY_VOID(check_choices(frames, painted(), session.stage_->camera_names));
   std::vector<FrameView> own;
   std::vector<View> views;
   for (const FrameChoice& choice : frames) {
-    LUM_TRY(FrameView view, open_view(session, choice));
+    LUM_TRY(FrameView view, open_view(session, choice, own));
     LightRig there = session.state_.rig;
     LUM_TRY(const bool moves,
             pose_lights(there, *session.stage_, view.own ? *view.own : *session.stage_, choice.at.frame));
@@ -180,7 +194,7 @@ Result<void> Shots::solve(std::span<const FrameChoice> frames, const SolveOption
   }
   if (stopped) solve.stop();
   LUM_TRY(const Target* target, session.target());
-  Solved solved{options, solve.report(), *target, fmt::format("Accept a solve of {} frames", frames.size())};
+  Solved solved{options, solve.report(), *target, fmt::format("Accept a solve of {} pictures", frames.size())};
   for (std::size_t k = 0; k < own.size(); ++k) {
     const bool may_judge = judged && !stopped;
     LUM_TRY(SolvedFrame done, outcome(solve, k, own[k], session.project_.tiles(), may_judge));

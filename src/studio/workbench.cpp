@@ -16,7 +16,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t kMostKept = 200;  // places of the history whose proposals are known: some kilobytes each
+constexpr std::size_t kMostKept = 200;  // places of the history whose proposals are known
 
 float number_at(const Document& document, std::string_view path, float usual) {
   const std::string_view text = document.get(path);
@@ -161,6 +161,7 @@ Result<void> Workbench::act(const Task& task, After after) {
   const Project& project = session_->project();
   const auto marks = [&] { return std::pair(project.undo_steps(), project.redo_steps()); };
   const auto before = marks();
+  const std::size_t newest = project.newest();
   const bool proposed = session_->has_proposal();
   const std::uint64_t stage = session_->stage().id;
   const auto done = task(*session_);
@@ -170,7 +171,7 @@ Result<void> Workbench::act(const Task& task, After after) {
     style_files_.reset();
     offers_.reset();  // their style blocks may be of another schema
   }
-  const bool moved = marks().first != before.first && marks().first + marks().second == before.first + before.second;
+  const bool moved = marks().first != before.first && project.newest() == newest;  // by undo or redo
   const Solved* solved = session_->solved();
   const bool started = session_->has_proposal() && solved != nullptr &&
                        solved->report.termination == Termination::kRunning && solved->report.solver != "live";

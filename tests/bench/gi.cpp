@@ -13,6 +13,7 @@
 
 #include <fmt/ranges.h>
 
+#include "bench/bench_statistics.h"
 #include "bench/painter.h"
 #include "render/metric.h"
 #include "rig/constraint.h"
@@ -226,11 +227,6 @@ void print_run(const GiOptions& options, const std::string& method, std::uint64_
         run.epsilon, fmt::join(free_values(run.found), ", "));
   }
   std::fflush(stdout);
-}
-
-double median(std::vector<double> values) {
-  std::ranges::sort(values);
-  return values.empty() ? 0.0 : values[values.size() / 2];
 }
 
 void print_results(const GiOptions& options, const std::vector<std::string>& methods,

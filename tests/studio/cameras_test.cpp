@@ -45,6 +45,13 @@ class CamerasTest : public SessionTest {
     file.strokes[0].points = {{0.68F, 0.34F}, {0.7F, 0.39F}};
     return file;
   }
+  /// Where only the other camera sees it.
+  static StrokeFile side_strokes() {
+    StrokeFile file = ball_strokes();
+    file.strokes[0].brush.diameter = 0.15F;
+    file.strokes[0].points = {{0.52F, 0.5F}, {0.53F, 0.55F}};
+    return file;
+  }
   void paint() { LUM_EXPECT_OK(session_->paint(ball_strokes(), "strokes.json")); }
   Image target() {
     auto target = session_->target();
@@ -114,7 +121,8 @@ TEST_F(CamerasTest, OneRigIsFoundForThePaintOfSeveralCamerasAndAcceptingItAnswer
   paint();
   look_through(kSide);
   paint();
-  const std::vector<FrameChoice> both = {{{kFront, 0}, 3.0}, {{kSide, 0}, 1.0}};
+  LUM_EXPECT_OK(session_->paint(side_strokes(), "strokes.json"));
+  const std::vector<FrameChoice> both = {{{"", 0}, 3.0}, {{kSide, 0}, 1.0}};
   LUM_EXPECT_OK(shots().solve(both, few_evals(), true, {}));
   const Solved solved = *session_->solved();
   ASSERT_EQ(solved.frames.size(), 2U);
@@ -125,28 +133,87 @@ TEST_F(CamerasTest, OneRigIsFoundForThePaintOfSeveralCamerasAndAcceptingItAnswer
   const ParamState found = session_->shown();
   for (const SolvedFrame& frame : solved.frames) {
     ASSERT_TRUE(frame.verdict);
+    EXPECT_EQ(frame.verdict->strokes.size(), frame.at.camera == kSide ? 2U : 1U);
     const auto alone = open_two(frame.at.camera);
     LUM_EXPECT_OK(alone->load_rig(save_rig_to("before.toml", session_->state().rig), folder_.path()));
     LUM_EXPECT_OK(alone->set_importance(0.1F, 0.5F));
     LUM_EXPECT_OK(alone->paint(ball_strokes(), "strokes.json"));
+    if (frame.at.camera == kSide) LUM_EXPECT_OK(alone->paint(side_strokes(), "strokes.json"));
     LUM_ASSERT_OK(const Target* target, alone->target());
     LUM_ASSERT_OK(const double start, alone->stage().renderer->error(alone->state(), *target));
     LUM_ASSERT_OK(const double end, alone->stage().renderer->error(found, *target));
     EXPECT_NEAR(frame.start, start, 1e-4 * start) << frame.at.camera;
     EXPECT_NEAR(frame.found, end, 1e-4 * start) << frame.at.camera;
   }
+  EXPECT_EQ(session_->solved()->verdict->strokes.size(), 2U) << "the side is looked through";
   LUM_EXPECT_OK(session_->accept());
   EXPECT_TRUE(shots().painted().empty());
   LUM_EXPECT_OK(session_->undo());
   EXPECT_EQ(shots().painted().size(), 2U);
 }
 
+TEST_F(CamerasTest, AcceptingLeavesThePaintThatTookNoPart) {
+  paint();
+  LUM_EXPECT_OK(session_->go_to(12));
+  paint();
+  look_through(kSide);
+  paint();
+  const std::vector<FrameChoice> others = {{{kFront, 0}}, {{kFront, 12}}};
+  LUM_EXPECT_OK(shots().solve(others, few_evals(), false, {}));
+  LUM_EXPECT_OK(session_->accept());
+  EXPECT_EQ(shots().painted(), (std::vector<PaintedFrame>{{{kSide, 12}, 1}}));
+  EXPECT_TRUE(session_->painted());
+  EXPECT_EQ(target().data.size(), 48U * 36U * 3U);
+}
+
+TEST_F(CamerasTest, AnotherCameraAndFrameAreOneCommand) {
+  paint();
+  const std::size_t steps = session_->project().undo_steps();
+  LUM_EXPECT_OK(session_->view().look_through({kSide, 12}));
+  EXPECT_EQ(session_->project().undo_steps(), steps + 1);
+  EXPECT_EQ(session_->shot().camera, kSide);
+  EXPECT_EQ(session_->shot().frame, 12.0);
+  EXPECT_FALSE(session_->painted());
+  LUM_EXPECT_OK(session_->undo());
+  EXPECT_TRUE(session_->painted());
+  EXPECT_EQ(error_of(session_->view().look_through({"sied", 0})).kind, ErrorKind::kUsage);
+  EXPECT_EQ(session_->project().undo_steps(), steps);
+}
+
+TEST_F(CamerasTest, PaintOfFramesInAProjectOfBeforeIsThatOfItsCamera) {
+  paint();
+  Document old = session_->project().document();
+  const Vantage present{kFront, 0};
+  turn_paint(old, present, {kFront, 24});
+  Document written;
+  for (const auto& [path, value] : old.entries()) {
+    const std::string folder = "cameras/front/";
+    written.set(path.starts_with(folder) ? path.substr(folder.size()) : path, value);
+  }
+  ASSERT_TRUE(written.has("frames/0/paint/strokes"));
+  const Vantage there{kFront, 24};
+  EXPECT_EQ(painted_frames(written, there), (std::vector<PaintedFrame>{{present, 1}}));
+  Document looked = written;
+  turn_paint(looked, there, {kSide, 24});
+  EXPECT_EQ(painted_frames(looked, {kSide, 24}), (std::vector<PaintedFrame>{{present, 1}}));
+  turn_paint(looked, {kSide, 24}, present);
+  EXPECT_EQ(looked.get("paint/strokes"), session_->project().document().get("paint/strokes"));
+  Document cleared = written;
+  EXPECT_TRUE(clear_frame_paint(cleared, there, present));
+  EXPECT_TRUE(painted_frames(cleared, there).empty());
+  forget_paint(written);
+  EXPECT_TRUE(painted_frames(written, there).empty());
+}
+
 TEST_F(CamerasTest, WhatIsNotPaintedOrNotThereIsNotSolved) {
   paint();
   const std::vector<FrameChoice> unpainted = {{{kFront, 0}}, {{kSide, 0}}};
   EXPECT_EQ(error_of(shots().solve(unpainted, few_evals(), false, {})).kind, ErrorKind::kNothingToDo);
-  const std::vector<FrameChoice> nobody = {{{kFront, 0}}, {{"nobody", 0}}};
-  EXPECT_EQ(error_of(shots().solve(nobody, few_evals(), false, {})).kind, ErrorKind::kNothingToDo);
+  const std::vector<FrameChoice> nobody = {{{kFront, 0}}, {{"sied", 0}}};
+  EXPECT_EQ(error_of(shots().solve(nobody, few_evals(), false, {})).kind, ErrorKind::kUsage);
+  EXPECT_EQ(error_of(shots().clear_paint({"sied", 0})).kind, ErrorKind::kUsage);
+  const std::vector<FrameChoice> twice = {{{kFront, 0}}, {{"", 0}}};
+  EXPECT_EQ(error_of(shots().solve(twice, few_evals(), false, {})).kind, ErrorKind::kUsage);
 }
 
 TEST_F(CamerasTest, AScriptPaintsThroughCamerasAndAProjectKeepsIt) {
@@ -156,8 +223,10 @@ TEST_F(CamerasTest, AScriptPaintsThroughCamerasAndAProjectKeepsIt) {
 {"do": "paint", "strokes": "strokes.json"}
 {"do": "reframe", "camera": "100%/side"}
 {"do": "paint", "strokes": "strokes.json"}
-{"do": "solve_frames", "frames": [0, 0], "cameras": ["front", "100%/side"], "max_evals": 10, "judge": false}
+{"do": "solve_frames", "cameras": ["", "100%/side"], "max_evals": 10, "judge": false}
 {"do": "revert"}
+{"do": "reframe", "camera": "front", "frame": 6}
+{"do": "reframe", "camera": "100%/side", "frame": 0}
 {"do": "paint", "strokes": "strokes.json"}
 {"do": "save", "project": "painted.lum"}
 )";

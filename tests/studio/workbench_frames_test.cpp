@@ -23,6 +23,27 @@ class WorkbenchFramesTest : public WorkbenchTest {
   }
 };
 
+TEST_F(WorkbenchFramesTest, AProposalComesBackWithItsPlaceInTheHistoryAndNotWithOneThatTookIt) {
+  bench_->set_live(false);
+  LUM_EXPECT_OK(bench_->act([](Session& session) -> Result<void> {
+    NewLight plain;
+    plain.from_paint = false;
+    LUM_TRY_VOID(session.add_light(plain));
+    return {};
+  }));
+  paint_at(24);
+  paint_at(0);
+  LUM_EXPECT_OK(bench_->act([](Session& session) { return session.solve(few_evals(), {}); }));
+  ASSERT_TRUE(look()->proposal);
+  LUM_EXPECT_OK(bench_->act([](Session& session) { return session.undo(); }));
+  EXPECT_FALSE(look()->proposal);
+  LUM_EXPECT_OK(bench_->act([](Session& session) { return session.redo(); }));
+  EXPECT_TRUE(look()->proposal);
+  LUM_EXPECT_OK(bench_->act([](Session& session) { return session.undo(); }));
+  LUM_EXPECT_OK(bench_->change([](Session& session) { return session.go_to(24); }));
+  EXPECT_FALSE(look()->proposal);
+}
+
 TEST_F(WorkbenchFramesTest, ASolveOfSeveralFramesThatUndoBringsBackStillAnswersAllOfThem) {
   bench_->set_live(false);
   LUM_EXPECT_OK(bench_->act([](Session& session) -> Result<void> {
