@@ -88,7 +88,13 @@ void adopt_frames(Document& document, const std::string& camera) {
   }
   for (const double frame : frames) {
     const std::string text = number_text(frame + 0.0);
-    move(document, fmt::format("{}{}/", kFrames, text), folder_of({camera, frame}));
+    const std::string old = fmt::format("{}{}/", kFrames, text);
+    const std::string folder = folder_of({camera, frame});
+    if (document.has(folder + std::string(kStrokes))) {
+      document.erase_below(old);
+    } else {
+      move(document, old, folder);
+    }
   }
 }
 
@@ -112,7 +118,9 @@ std::vector<PaintedFrame> painted_frames(const Document& document, const Vantage
     }
   }
   if (has_paint(document)) painted.push_back({present, count_of(document.get(kStrokes))});
-  std::ranges::sort(painted, {}, &PaintedFrame::at);
+  std::ranges::stable_sort(painted, {}, &PaintedFrame::at);
+  const auto twice = std::ranges::unique(painted, {}, &PaintedFrame::at);
+  painted.erase(twice.begin(), twice.end());
   return painted;
 }
 

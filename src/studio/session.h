@@ -115,7 +115,7 @@ class Session : private SessionData {
   /// What became of each stroke of the proposal; kept in solved(). errors kCancelled as soon as go_on says false.
   Result<const Verdict*> judge(const std::function<bool()>& go_on = {});
   Result<void> apply_remedy(std::uint32_t stroke);  ///< what the verdict advises; errors kNothingToDo
-  /// The proposal becomes the lights in force, its picture what is painted on; or it goes. errors kNothingToDo.
+  /// The proposal becomes the lights in force, its picture what is painted on if that took part. errors kNothingToDo.
   Result<void> accept();
   Result<void> adopt();  ///< The lights only: the paint stays for another solve. errors kNothingToDo.
   Result<void> revert();

@@ -48,9 +48,9 @@ class Shots {
   /// them. The style and the locks are the session's. What has keys stays as they say, in each frame what it is there;
   /// the rest is what is found. judge: each frame's strokes, unless watch stopped the solve. look: told the lights
   /// found so far, as the session's frame has them, whenever they are better; it may render. errors kUsage: fewer than
-  /// two, one twice, a weight that is not above zero, lights of the scene that move; kNothingToDo: nothing painted in
-  /// one of them, all that may change has keys; SharedSolve's, look's. cost a stage for each camera besides the
-  /// session's own, and for each frame where something moves; the solve.
+  /// two, one twice, a weight that is not above zero, lights of the scene that move, an unknown camera; kNothingToDo:
+  /// nothing painted in one of them, all that may change has keys; SharedSolve's, look's. cost a stage for each camera
+  /// besides the session's own, and for each frame where something moves; the solve.
   using Look = std::function<Result<void>(const ParamState&)>;
   Result<void> solve(std::span<const FrameChoice> frames, const SolveOptions& options, bool judge,
                      const Session::SolveWatch& watch, const Look& look = {});

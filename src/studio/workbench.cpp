@@ -145,7 +145,8 @@ void Workbench::keep_proposal() {
 /// The proposal that was here, or null.
 const KeptProposal* Workbench::put_back_proposal() {
   const auto kept = kept_.find(session_->project().undo_steps());
-  if (kept == kept_.end() || session_->has_proposal() || !session_->painted()) return nullptr;
+  if (kept == kept_.end() || session_->has_proposal()) return nullptr;
+  if (!session_->painted() && kept->second.frames.empty()) return nullptr;
   const auto target = session_->target();
   if (!target) return nullptr;
   const KeptProposal& known = kept->second;

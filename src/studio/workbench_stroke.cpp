@@ -240,7 +240,7 @@ Result<void> Workbench::record(const Task& task) {
   if (session_->has_proposal() && solved != nullptr) lights = session_->shown(), report = *solved;
   LUM_TRY_VOID(task(*session_));
   if (project.undo_steps() != before) kept_.erase(kept_.lower_bound(before + 1), kept_.end());
-  if (lights && session_->painted() && !session_->has_proposal()) {
+  if (lights && (session_->painted() || !report->frames.empty()) && !session_->has_proposal()) {
     report->verdict.reset();  // it was of other paint
     session_->propose(std::move(*lights), std::move(*report));
   }

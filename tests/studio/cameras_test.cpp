@@ -5,23 +5,17 @@
 #include "studio/session_fixture.h"
 #include "studio/shot_view.h"
 #include "studio/shots.h"
+#include "studio/two_cameras.h"
 
 namespace luminist {
 namespace {
 
-/// The ball under one light, seen by two cameras, of which one has a name that no path can hold as it is.
+/// The ball under one light, seen by two cameras.
 class CamerasTest : public SessionTest {
  protected:
-  static constexpr const char* kFront = "front";
-  static constexpr const char* kSide = "100%/side";
-
   void SetUp() override {
     SessionTest::SetUp();
-    LUM_ASSERT_OK(Scene scene, load_scene(folder_.file("ball.obj"), {}, diagnostics_));
-    scene.cameras[0].name = kFront;
-    Camera side = camera_at(Vec3(5.0F, 2.0F, 0.0F), Vec3(0.0F, 1.0F, 0.0F), 0.7F);
-    side.name = kSide;
-    scene.cameras.push_back(side);
+    LUM_ASSERT_OK(const Scene scene, two_cameras(folder_.file("ball.obj"), diagnostics_));
     LUM_EXPECT_OK(save_scene(scene, folder_.file("two.glb")));
     session_ = open_two("");
     NewLight plain;
@@ -70,18 +64,18 @@ TEST_F(CamerasTest, PaintStaysWithItsCamera) {
   const Image front = target();
   LUM_EXPECT_OK(session_->set_importance(0.35F, 0.65F));
   const std::string before = hash();
-  look_through(kSide);
+  look_through(kSideCamera);
   EXPECT_FALSE(session_->painted());
   EXPECT_EQ(session_->project().document().get("paint/nu"), "0.35") << "as the lighter last wanted";
-  EXPECT_EQ(shots().painted(), (std::vector<PaintedFrame>{{{kFront, 0}, 1}}));
+  EXPECT_EQ(shots().painted(), (std::vector<PaintedFrame>{{{kFrontCamera, 0}, 1}}));
   paint();
   paint();
   const Image side = target();
-  EXPECT_EQ(shots().painted(), (std::vector<PaintedFrame>{{{kSide, 0}, 2}, {{kFront, 0}, 1}}));
+  EXPECT_EQ(shots().painted(), (std::vector<PaintedFrame>{{{kSideCamera, 0}, 2}, {{kFrontCamera, 0}, 1}}));
   look_through("");
   EXPECT_EQ(target().data, front.data);
-  EXPECT_EQ(shots().painted(), (std::vector<PaintedFrame>{{{kSide, 0}, 2}, {{kFront, 0}, 1}}));
-  look_through(kSide);
+  EXPECT_EQ(shots().painted(), (std::vector<PaintedFrame>{{{kSideCamera, 0}, 2}, {{kFrontCamera, 0}, 1}}));
+  look_through(kSideCamera);
   EXPECT_EQ(target().data, side.data);
   for (int step = 0; step < 5; ++step) LUM_EXPECT_OK(session_->undo());
   EXPECT_EQ(hash(), before);
@@ -93,25 +87,25 @@ TEST_F(CamerasTest, FramesStayWithTheirCamera) {
   LUM_EXPECT_OK(session_->go_to(12));
   paint();
   paint();
-  look_through(kSide);
+  look_through(kSideCamera);
   paint();
   LUM_EXPECT_OK(session_->go_to(0));
-  const std::vector<PaintedFrame> all = {{{kSide, 12}, 1}, {{kFront, 0}, 1}, {{kFront, 12}, 2}};
+  const std::vector<PaintedFrame> all = {{{kSideCamera, 12}, 1}, {{kFrontCamera, 0}, 1}, {{kFrontCamera, 12}, 2}};
   EXPECT_EQ(shots().painted(), all);
   EXPECT_FALSE(session_->painted());
-  look_through(kFront);
+  look_through(kFrontCamera);
   EXPECT_TRUE(session_->painted());
   EXPECT_EQ(shots().painted(), all);
-  LUM_EXPECT_OK(shots().clear_paint({kSide, 12}));
-  EXPECT_EQ(error_of(shots().clear_paint({kSide, 12})).kind, ErrorKind::kNothingToDo);
+  LUM_EXPECT_OK(shots().clear_paint({kSideCamera, 12}));
+  EXPECT_EQ(error_of(shots().clear_paint({kSideCamera, 12})).kind, ErrorKind::kNothingToDo);
   EXPECT_EQ(shots().painted().size(), 2U);
 }
 
 TEST_F(CamerasTest, AnotherSizeLosesThePaintOfAll) {
   paint();
-  look_through(kSide);
+  look_through(kSideCamera);
   paint();
-  LUM_EXPECT_OK(session_->view().reframe(kSide, 32, 24));
+  LUM_EXPECT_OK(session_->view().reframe(kSideCamera, 32, 24));
   EXPECT_TRUE(shots().painted().empty());
   LUM_EXPECT_OK(session_->undo());
   EXPECT_EQ(shots().painted().size(), 2U);
@@ -119,10 +113,10 @@ TEST_F(CamerasTest, AnotherSizeLosesThePaintOfAll) {
 
 TEST_F(CamerasTest, OneRigIsFoundForThePaintOfSeveralCamerasAndAcceptingItAnswersAll) {
   paint();
-  look_through(kSide);
+  look_through(kSideCamera);
   paint();
   LUM_EXPECT_OK(session_->paint(side_strokes(), "strokes.json"));
-  const std::vector<FrameChoice> both = {{{"", 0}, 3.0}, {{kSide, 0}, 1.0}};
+  const std::vector<FrameChoice> both = {{{"", 0}, 3.0}, {{kSideCamera, 0}, 1.0}};
   LUM_EXPECT_OK(shots().solve(both, few_evals(), true, {}));
   const Solved solved = *session_->solved();
   ASSERT_EQ(solved.frames.size(), 2U);
@@ -133,12 +127,12 @@ TEST_F(CamerasTest, OneRigIsFoundForThePaintOfSeveralCamerasAndAcceptingItAnswer
   const ParamState found = session_->shown();
   for (const SolvedFrame& frame : solved.frames) {
     ASSERT_TRUE(frame.verdict);
-    EXPECT_EQ(frame.verdict->strokes.size(), frame.at.camera == kSide ? 2U : 1U);
+    EXPECT_EQ(frame.verdict->strokes.size(), frame.at.camera == kSideCamera ? 2U : 1U);
     const auto alone = open_two(frame.at.camera);
     LUM_EXPECT_OK(alone->load_rig(save_rig_to("before.toml", session_->state().rig), folder_.path()));
     LUM_EXPECT_OK(alone->set_importance(0.1F, 0.5F));
     LUM_EXPECT_OK(alone->paint(ball_strokes(), "strokes.json"));
-    if (frame.at.camera == kSide) LUM_EXPECT_OK(alone->paint(side_strokes(), "strokes.json"));
+    if (frame.at.camera == kSideCamera) LUM_EXPECT_OK(alone->paint(side_strokes(), "strokes.json"));
     LUM_ASSERT_OK(const Target* target, alone->target());
     LUM_ASSERT_OK(const double start, alone->stage().renderer->error(alone->state(), *target));
     LUM_ASSERT_OK(const double end, alone->stage().renderer->error(found, *target));
@@ -156,24 +150,45 @@ TEST_F(CamerasTest, AcceptingLeavesThePaintThatTookNoPart) {
   paint();
   LUM_EXPECT_OK(session_->go_to(12));
   paint();
-  look_through(kSide);
+  look_through(kSideCamera);
   paint();
-  const std::vector<FrameChoice> others = {{{kFront, 0}}, {{kFront, 12}}};
+  const std::vector<FrameChoice> others = {{{kFrontCamera, 0}}, {{kFrontCamera, 12}}};
   LUM_EXPECT_OK(shots().solve(others, few_evals(), false, {}));
   LUM_EXPECT_OK(session_->accept());
-  EXPECT_EQ(shots().painted(), (std::vector<PaintedFrame>{{{kSide, 12}, 1}}));
+  EXPECT_EQ(shots().painted(), (std::vector<PaintedFrame>{{{kSideCamera, 12}, 1}}));
   EXPECT_TRUE(session_->painted());
-  EXPECT_EQ(target().data.size(), 48U * 36U * 3U);
+  const Image picture = this->picture();
+  LUM_ASSERT_OK(const Image rendered, session_->stage().renderer->render(session_->state()));
+  EXPECT_EQ(picture.data, rendered.data) << "under the lights that were accepted";
+  const Image after = target();
+  LUM_EXPECT_OK(session_->undo());
+  LUM_EXPECT_OK(session_->redo());
+  EXPECT_EQ(target().data, after.data);
+  EXPECT_EQ(this->picture().data, picture.data);
 }
 
 TEST_F(CamerasTest, AnotherCameraAndFrameAreOneCommand) {
+  LUM_EXPECT_OK(session_->set({"lights/light/color=1,0,0"}));
+  LUM_ASSERT_OK([[maybe_unused]] const int keyed, session_->set_keys("lights/light/color", KeyInterpolation::kLinear));
+  LUM_EXPECT_OK(session_->go_to(12));
+  LUM_EXPECT_OK(session_->set({"lights/light/color=0,0,1"}));
+  LUM_EXPECT_OK(session_->go_to(0));
+  const auto color = [&] {
+    const ParamBlock& params = session_->state().rig.lights.at(0).params;
+    return params.vec3(*params.schema().find("color"));
+  };
   paint();
   const std::size_t steps = session_->project().undo_steps();
-  LUM_EXPECT_OK(session_->view().look_through({kSide, 12}));
+  LUM_EXPECT_OK(session_->view().look_through({kSideCamera, 12}));
   EXPECT_EQ(session_->project().undo_steps(), steps + 1);
-  EXPECT_EQ(session_->shot().camera, kSide);
+  EXPECT_EQ(session_->shot().camera, kSideCamera);
   EXPECT_EQ(session_->shot().frame, 12.0);
+  EXPECT_EQ(color(), Vec3(0.0F, 0.0F, 1.0F)) << "as the keys say";
   EXPECT_FALSE(session_->painted());
+  LUM_EXPECT_OK(session_->undo());
+  EXPECT_EQ(color(), Vec3(1.0F, 0.0F, 0.0F));
+  LUM_EXPECT_OK(session_->redo());
+  EXPECT_EQ(color(), Vec3(0.0F, 0.0F, 1.0F));
   LUM_EXPECT_OK(session_->undo());
   EXPECT_TRUE(session_->painted());
   EXPECT_EQ(error_of(session_->view().look_through({"sied", 0})).kind, ErrorKind::kUsage);
@@ -183,21 +198,32 @@ TEST_F(CamerasTest, AnotherCameraAndFrameAreOneCommand) {
 TEST_F(CamerasTest, PaintOfFramesInAProjectOfBeforeIsThatOfItsCamera) {
   paint();
   Document old = session_->project().document();
-  const Vantage present{kFront, 0};
-  turn_paint(old, present, {kFront, 24});
+  const Vantage present{kFrontCamera, 0};
+  turn_paint(old, present, {kFrontCamera, 24});
   Document written;
   for (const auto& [path, value] : old.entries()) {
     const std::string folder = "cameras/front/";
     written.set(path.starts_with(folder) ? path.substr(folder.size()) : path, value);
   }
   ASSERT_TRUE(written.has("frames/0/paint/strokes"));
-  const Vantage there{kFront, 24};
+  const Vantage there{kFrontCamera, 24};
   EXPECT_EQ(painted_frames(written, there), (std::vector<PaintedFrame>{{present, 1}}));
   Document looked = written;
-  turn_paint(looked, there, {kSide, 24});
-  EXPECT_EQ(painted_frames(looked, {kSide, 24}), (std::vector<PaintedFrame>{{present, 1}}));
-  turn_paint(looked, {kSide, 24}, present);
+  turn_paint(looked, there, {kSideCamera, 24});
+  EXPECT_EQ(painted_frames(looked, {kSideCamera, 24}), (std::vector<PaintedFrame>{{present, 1}}));
+  turn_paint(looked, {kSideCamera, 24}, present);
   EXPECT_EQ(looked.get("paint/strokes"), session_->project().document().get("paint/strokes"));
+  Document both = written;  // one that an older version wrote beside it
+  both.set("cameras/front/frames/0/paint/strokes", "7");
+  EXPECT_EQ(painted_frames(both, there), (std::vector<PaintedFrame>{{present, 7}}));
+  turn_paint(both, there, present);
+  EXPECT_EQ(both.get("paint/strokes"), "7");
+  Document put = written;
+  Document paint;
+  paint.set("paint/strokes", "3");
+  put_frame_paint(put, there, present, paint);
+  EXPECT_EQ(painted_frames(put, there), (std::vector<PaintedFrame>{{present, 3}}));
+  EXPECT_FALSE(put.has("frames/0/paint/nu"));
   Document cleared = written;
   EXPECT_TRUE(clear_frame_paint(cleared, there, present));
   EXPECT_TRUE(painted_frames(cleared, there).empty());
@@ -207,12 +233,12 @@ TEST_F(CamerasTest, PaintOfFramesInAProjectOfBeforeIsThatOfItsCamera) {
 
 TEST_F(CamerasTest, WhatIsNotPaintedOrNotThereIsNotSolved) {
   paint();
-  const std::vector<FrameChoice> unpainted = {{{kFront, 0}}, {{kSide, 0}}};
+  const std::vector<FrameChoice> unpainted = {{{kFrontCamera, 0}}, {{kSideCamera, 0}}};
   EXPECT_EQ(error_of(shots().solve(unpainted, few_evals(), false, {})).kind, ErrorKind::kNothingToDo);
-  const std::vector<FrameChoice> nobody = {{{kFront, 0}}, {{"sied", 0}}};
+  const std::vector<FrameChoice> nobody = {{{kFrontCamera, 0}}, {{"sied", 0}}};
   EXPECT_EQ(error_of(shots().solve(nobody, few_evals(), false, {})).kind, ErrorKind::kUsage);
   EXPECT_EQ(error_of(shots().clear_paint({"sied", 0})).kind, ErrorKind::kUsage);
-  const std::vector<FrameChoice> twice = {{{kFront, 0}}, {{"", 0}}};
+  const std::vector<FrameChoice> twice = {{{kFrontCamera, 0}}, {{"", 0}}};
   EXPECT_EQ(error_of(shots().solve(twice, few_evals(), false, {})).kind, ErrorKind::kUsage);
 }
 
@@ -236,11 +262,11 @@ TEST_F(CamerasTest, AScriptPaintsThroughCamerasAndAProjectKeepsIt) {
     for (const SolvedFrame& frame : each.frames) solved.push_back(frame.at.camera);
   };
   LUM_EXPECT_OK(run_script(*device_, roots_, folder_.file("cameras.jsonl"), folder_.path(), events, diagnostics_));
-  EXPECT_EQ(solved, (std::vector<std::string>{kFront, kSide}));
+  EXPECT_EQ(solved, (std::vector<std::string>{kFrontCamera, kSideCamera}));
   session_ = open_project("painted.lum");
   ASSERT_NE(session_, nullptr);
-  EXPECT_EQ(session_->shot().camera, kSide);
-  EXPECT_EQ(shots().painted(), (std::vector<PaintedFrame>{{{kSide, 0}, 2}, {{kFront, 0}, 1}}));
+  EXPECT_EQ(session_->shot().camera, kSideCamera);
+  EXPECT_EQ(shots().painted(), (std::vector<PaintedFrame>{{{kSideCamera, 0}, 2}, {{kFrontCamera, 0}, 1}}));
 }
 
 }  // namespace

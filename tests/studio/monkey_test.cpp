@@ -6,6 +6,9 @@
 
 #include "studio/paint_layers.h"
 #include "studio/session_fixture.h"
+#include "studio/shot_view.h"
+#include "studio/shots.h"
+#include "studio/two_cameras.h"
 
 namespace luminist {
 namespace {
@@ -19,11 +22,22 @@ int actions() {
 
 class MonkeyTest : public SessionTest {
  protected:
+  void SetUp() override {
+    SessionTest::SetUp();
+    LUM_ASSERT_OK(const Scene scene, two_cameras(folder_.file("ball.obj"), diagnostics_));
+    LUM_EXPECT_OK(save_scene(scene, folder_.file("two.glb")));
+    Shot two = shot();
+    two.scene = "two.glb";
+    auto session = Session::open(*device_, roots_, two, folder_.path(), diagnostics_);
+    ASSERT_TRUE(session) << session.error().message();
+    session_ = std::move(*session);
+  }
+
   /// Errors are fine, crashes and half-done gestures are not.
   void act() {
     const auto ignore = [](const auto& result) { (void)result; };
     const std::string name = fmt::format("light{}", draw(3) == 0 ? "" : "-2");
-    switch (draw(25)) {
+    switch (draw(29)) {
       case 0:
         return ignore(session_->add_light({.from_paint = draw(2) == 0}));
       case 1:
@@ -70,9 +84,27 @@ class MonkeyTest : public SessionTest {
         return ignore(session_->layers().move(draw(9), {0.1F, 0.0F}));
       case 22:
         return ignore(session_->layers().remove_stroke(draw(9)));
+      case 23:
+      case 24:
+        return ignore(session_->view().look_through(vantage()));
+      case 25:
+        return ignore(session_->view().reframe(draw(2) == 0 ? kFrontCamera : kSideCamera, draw(4) == 0 ? 40 : 48, 36));
+      case 26:
+        return ignore(Shots(*session_).clear_paint(vantage()));
+      case 27:
+        return ignore(solve_together());
       default:
         return ignore(session_->paint(light_strokes(), "strokes.json"));
     }
+  }
+  Vantage vantage() { return {draw(2) == 0 ? kFrontCamera : kSideCamera, static_cast<double>(draw(2))}; }
+  /// All that is painted but for some.
+  Result<void> solve_together() {
+    std::vector<FrameChoice> choices;
+    for (const PaintedFrame& painted : Shots(*session_).painted()) {
+      if (draw(4) > 0) choices.push_back({painted.at, 1.0});
+    }
+    return Shots(*session_).solve(choices, two_evals(), false, {});
   }
   [[nodiscard]] unsigned draw(unsigned below) { return static_cast<unsigned>(random_() % below); }
   static SolveOptions two_evals() {

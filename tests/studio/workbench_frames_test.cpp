@@ -44,6 +44,29 @@ TEST_F(WorkbenchFramesTest, AProposalComesBackWithItsPlaceInTheHistoryAndNotWith
   EXPECT_FALSE(look()->proposal);
 }
 
+TEST_F(WorkbenchFramesTest, ASolveOfOthersComesBackWhereNothingIsPainted) {
+  bench_->set_live(false);
+  LUM_EXPECT_OK(bench_->act([](Session& session) -> Result<void> {
+    NewLight plain;
+    plain.from_paint = false;
+    LUM_TRY_VOID(session.add_light(plain));
+    return {};
+  }));
+  paint_at(24);
+  paint_at(12);
+  LUM_EXPECT_OK(bench_->act([](Session& session) -> Result<void> {
+    LUM_TRY_VOID(session.go_to(0));
+    const std::string camera = Shots(session).present().camera;
+    const std::vector<FrameChoice> others = {{{camera, 12}}, {{camera, 24}}};
+    return Shots(session).solve(others, few_evals(), false, {});
+  }));
+  ASSERT_TRUE(look()->proposal);
+  LUM_EXPECT_OK(bench_->act([](Session& session) { return session.set({"lights/light/color=1,0,0"}); }));
+  EXPECT_FALSE(look()->proposal);
+  LUM_EXPECT_OK(bench_->act([](Session& session) { return session.undo(); }));
+  EXPECT_TRUE(look()->proposal);
+}
+
 TEST_F(WorkbenchFramesTest, ASolveOfSeveralFramesThatUndoBringsBackStillAnswersAllOfThem) {
   bench_->set_live(false);
   LUM_EXPECT_OK(bench_->act([](Session& session) -> Result<void> {
