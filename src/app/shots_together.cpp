@@ -1,7 +1,6 @@
 // One rig for several frames, in the panel of shots.
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 
 #include <fmt/format.h>
 

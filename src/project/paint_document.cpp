@@ -1,14 +1,12 @@
 #include "project/paint_document.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 #include <vector>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-#include "params/param_text.h"
 #include "project/layer_document.h"
 #include "project/peak_json.h"
 #include "project/tile_planes.h"
