@@ -68,7 +68,7 @@ const Constraint* find(const LightRig& rig, const Light& light, const Holds& hol
 
 void places(Desk& desk, const Light& light) {
   const LightRig& rig = desk.now->shown->rig;
-  const std::string path = "lights/" + light.name;
+  const std::string path = light_path(light.name);
   ImGui::TextDisabled("Stands on");
   for (const char* name : kPlaneNames) {
     const std::string rule = std::string("on ") + name;
@@ -102,7 +102,7 @@ void ranges(Desk& desk, const Light& light) {
 
 void others(Desk& desk, const Light& light) {
   const LightRig& rig = desk.now->shown->rig;
-  const std::string path = "lights/" + light.name;
+  const std::string path = light_path(light.name);
   if (rig.lights.size() > 1) ImGui::TextDisabled("Follows");
   for (const Light& other : rig.lights) {
     if (other.name == light.name) continue;

@@ -16,7 +16,7 @@ constexpr std::string_view kGroup = "group:";
 
 /// Patterns of what a light's lock turns: all of it is locked; what its type declares as solved is freed.
 std::vector<std::string> lock_patterns(const Light& light, bool any_free) {
-  const std::string path = "lights/" + light.name;
+  const std::string path = light_path(light.name);
   if (any_free) return {path};
   std::vector<std::string> patterns;
   for (const ParamSpec& spec : light.params.schema().specs()) {
@@ -345,7 +345,7 @@ void LightsPanel::details(Desk& desk, const Light& light, ParamWidgets& widgets)
     linking ? desk.linking.clear() : begin_linking(desk, light);
   }
   constraint_list(desk, light);
-  widgets.draw(desk, light.params, "lights/" + light.name);
+  widgets.draw(desk, light.params, light_path(light.name));
 }
 
 void LightsPanel::draw(Desk& desk, ParamWidgets& widgets) {

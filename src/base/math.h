@@ -54,6 +54,7 @@ inline float brightness(const Vec3& color) {
   return (color.x + color.y + color.z) / 3.0F;
 }
 
+/// The largest of the three components.
 inline float largest(const Vec3& v) {
   return std::max({v.x, v.y, v.z});
 }

@@ -78,7 +78,7 @@ std::optional<AwayPath> take_apart(std::string_view path, const std::string& cam
   return away;
 }
 
-/// Projects of before paint stayed with its camera have that of other frames at "frames/FRAME/paint/...".
+/// Paint at "frames/FRAME/paint/...", the older form, is that of the camera that is looked through.
 void adopt_frames(Document& document, const std::string& camera) {
   std::set<double> frames;
   const Document::Entries& entries = document.entries();

@@ -25,7 +25,7 @@ struct PaintedFrame {
 };
 
 /// All with strokes, by camera and frame; `present` is what is looked at. Its paint is at "paint/...", that of others
-/// at "cameras/NAME/frames/FRAME/paint/..."; without a camera, in projects of before, that of the present one.
+/// at "cameras/NAME/frames/FRAME/paint/..."; "frames/FRAME/paint/...", the older form, is of the present camera.
 /// cost O(entries of the frames).
 std::vector<PaintedFrame> painted_frames(const Document& document, const Vantage& present);
 

@@ -176,7 +176,7 @@ Result<std::vector<std::string>> texts_at(const Document& document, const std::s
 
 Result<Light> read_light(const Document& document, const std::string& name, const LightTypes& types,
                          const SceneFrame& frame) {
-  const std::string path = "lights/" + name;
+  const std::string path = light_path(name);
   LUM_TRY(const std::string type, text_at(document, path + "/@type"));
   LUM_TRY(Light light, make_light(types, type, name, frame));
   LUM_TRY(light.group, text_at(document, path + "/@group"));
@@ -201,7 +201,7 @@ void write_state(const ParamState& state, Document& document) {
   document.set("rig/shadow_light", Json(state.rig.shadow_light).dump());
   document.set("rig/constraints", constraints_to_json(state.rig.constraints));
   for (const Light& light : state.rig.lights) {
-    const std::string path = "lights/" + light.name;
+    const std::string path = light_path(light.name);
     document.set(path + "/@type", Json(light.type).dump());
     document.set(path + "/@group", Json(light.group).dump());
     document.set(path + "/@muted", Json(light.muted).dump());

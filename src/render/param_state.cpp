@@ -107,7 +107,7 @@ std::vector<const ParamBlock*> ParamState::blocks() const {
 
 std::vector<std::string> ParamState::block_paths() const {
   std::vector<std::string> list = {"ambient"};
-  for (const Light& light : rig.lights) list.push_back("lights/" + light.name);
+  for (const Light& light : rig.lights) list.push_back(light_path(light.name));
   list.emplace_back("style");
   for (const MaterialParams& material : materials) list.push_back(std::string(kMaterialPrefix) + material.name);
   return list;

@@ -240,7 +240,7 @@ Result<void> check_constraints(const LightRig& rig) {
 }
 
 std::string to_text(const Constraint& constraint) {
-  const std::string light = "lights/" + constraint.light;
+  const std::string light = light_path(constraint.light);
   if (const auto* on = std::get_if<OnPlane>(&constraint.rule)) return light + " on " + plane_text(on->plane);
   if (const auto* at = std::get_if<AtDistance>(&constraint.rule)) {
     return fmt::format("{} at distance {} from {}", light, number_text(shortest_double(at->distance)),

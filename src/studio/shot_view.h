@@ -18,8 +18,9 @@ class ShotView {
   /// or a bad size, kLimit.
   Result<void> reframe(const std::string& camera, int width, int height);
 
-  /// Another camera and frame, as one command; both keep their paint. cost and errors as reframe() and
-  /// Session::go_to().
+  /// Another camera ("": the scene's first) and frame, as one command; both keep their paint. cost as Session::go_to(),
+  /// for another camera as reframe(). errors kUsage for an unknown camera (nearest name) or a number that is not
+  /// finite.
   Result<void> look_through(const Vantage& at);
 
   /// The shot from anywhere, valid until the shot, its style or its frame is another. Nothing is recorded.
@@ -29,6 +30,9 @@ class ShotView {
   void put_away();
 
  private:
+  /// Shows another shot of the same scene and style, as one command.
+  Result<void> show(Shot shot, const std::string& label, const std::string& action);
+
   Session* session_;
 };
 

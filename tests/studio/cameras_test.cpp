@@ -26,9 +26,7 @@ class CamerasTest : public SessionTest {
     Shot two = shot();
     two.scene = "two.glb";
     two.camera = camera;
-    auto session = Session::open(*device_, roots_, two, folder_.path(), diagnostics_);
-    EXPECT_TRUE(session) << session.error().message();
-    return session ? std::move(*session) : nullptr;
+    return open(two);
   }
   void look_through(const std::string& camera) { LUM_EXPECT_OK(session_->view().reframe(camera, 48, 36)); }
   /// Blue light on the ball, where both cameras see it.

@@ -29,8 +29,9 @@ class SessionTest : public testing::Test {
     shot.height = 36;
     return shot;
   }
-  std::unique_ptr<Session> open() {
-    auto session = Session::open(*device_, roots_, shot(), folder_.path(), diagnostics_);
+  std::unique_ptr<Session> open() { return open(shot()); }
+  std::unique_ptr<Session> open(const Shot& shot) {
+    auto session = Session::open(*device_, roots_, shot, folder_.path(), diagnostics_);
     EXPECT_TRUE(session) << session.error().message();
     return session ? std::move(*session) : nullptr;
   }

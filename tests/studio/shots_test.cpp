@@ -19,9 +19,8 @@ class ShotsTest : public SessionTest {
     LUM_EXPECT_OK(save_scene(scene, folder_.file("sliding.glb")));
     Shot moving = shot();
     moving.scene = folder_.file("sliding.glb");
-    auto session = Session::open(*device_, roots_, moving, folder_.path(), diagnostics_);
-    ASSERT_TRUE(session) << session.error().message();
-    session_ = std::move(*session);
+    session_ = open(moving);
+    ASSERT_NE(session_, nullptr);
     NewLight plain;
     plain.from_paint = false;
     LUM_ASSERT_OK([[maybe_unused]] const std::string name, session_->add_light(plain));
@@ -242,9 +241,8 @@ TEST_F(ShotsTest, LightsOfTheSceneGoWithItUntilTheLighterMovesThem) {
   LUM_EXPECT_OK(save_scene(scene, folder_.file("torch.glb")));
   Shot moving = shot();
   moving.scene = folder_.file("torch.glb");
-  auto session = Session::open(*device_, roots_, moving, folder_.path(), diagnostics_);
-  ASSERT_TRUE(session) << session.error().message();
-  session_ = std::move(*session);
+  session_ = open(moving);
+  ASSERT_NE(session_, nullptr);
   const auto x = [&] {
     const Light& light = session_->state().rig.lights.at(0);
     return light.params.vec3(*light.params.schema().find("position")).x;

@@ -7,6 +7,15 @@ namespace {
 
 class WorkbenchFramesTest : public WorkbenchTest {
  protected:
+  /// A light that nothing turns but what a test asks for.
+  void SetUp() override {
+    WorkbenchTest::SetUp();
+    bench_->set_live(false);
+    LUM_EXPECT_OK(bench_->act([](Session& session) -> Result<void> {
+      LUM_TRY_VOID(session.add_light({.from_paint = false}));
+      return {};
+    }));
+  }
   void paint_at(double frame) {
     LUM_EXPECT_OK(bench_->act([&](Session& session) -> Result<void> {
       LUM_TRY_VOID(session.go_to(frame));
@@ -24,13 +33,6 @@ class WorkbenchFramesTest : public WorkbenchTest {
 };
 
 TEST_F(WorkbenchFramesTest, AProposalComesBackWithItsPlaceInTheHistoryAndNotWithOneThatTookIt) {
-  bench_->set_live(false);
-  LUM_EXPECT_OK(bench_->act([](Session& session) -> Result<void> {
-    NewLight plain;
-    plain.from_paint = false;
-    LUM_TRY_VOID(session.add_light(plain));
-    return {};
-  }));
   paint_at(24);
   paint_at(0);
   LUM_EXPECT_OK(bench_->act([](Session& session) { return session.solve(few_evals(), {}); }));
@@ -45,13 +47,6 @@ TEST_F(WorkbenchFramesTest, AProposalComesBackWithItsPlaceInTheHistoryAndNotWith
 }
 
 TEST_F(WorkbenchFramesTest, ASolveOfOthersComesBackWhereNothingIsPainted) {
-  bench_->set_live(false);
-  LUM_EXPECT_OK(bench_->act([](Session& session) -> Result<void> {
-    NewLight plain;
-    plain.from_paint = false;
-    LUM_TRY_VOID(session.add_light(plain));
-    return {};
-  }));
   paint_at(24);
   paint_at(12);
   LUM_EXPECT_OK(bench_->act([](Session& session) -> Result<void> {
@@ -68,13 +63,6 @@ TEST_F(WorkbenchFramesTest, ASolveOfOthersComesBackWhereNothingIsPainted) {
 }
 
 TEST_F(WorkbenchFramesTest, ASolveOfSeveralFramesThatUndoBringsBackStillAnswersAllOfThem) {
-  bench_->set_live(false);
-  LUM_EXPECT_OK(bench_->act([](Session& session) -> Result<void> {
-    NewLight plain;
-    plain.from_paint = false;
-    LUM_TRY_VOID(session.add_light(plain));
-    return {};
-  }));
   paint_at(24);
   paint_at(0);
   LUM_EXPECT_OK(bench_->act([](Session& session) {
