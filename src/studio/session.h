@@ -32,7 +32,6 @@ class Session : private SessionData {
                                                        Diagnostics& diagnostics);
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
-  ~Session() = default;
 
   [[nodiscard]] const Shot& shot() const { return shot_; }
   [[nodiscard]] const Stage& stage() const { return *stage_; }
@@ -111,6 +110,7 @@ class Session : private SessionData {
   Result<void> finish_solve(const SolveWatch& watch);
   Result<void> solve(const SolveOptions& options, const SolveWatch& watch);
   [[nodiscard]] bool has_proposal() const { return solve_ || proposed_; }
+  [[nodiscard]] std::size_t dropped() const { return dropped_; }  ///< proposals, those that were taken among them
   void propose(ParamState lights, Solved solved);  ///< lights that were found elsewhere
   /// What became of each stroke of the proposal; kept in solved(). errors kCancelled as soon as go_on says false.
   Result<const Verdict*> judge(const std::function<bool()>& go_on = {});

@@ -34,6 +34,7 @@ struct SessionData {
   std::optional<SolveSession> solve_;
   std::optional<ParamState> proposed_;  ///< found elsewhere
   std::optional<Solved> solved_;
+  std::size_t dropped_ = 0;  ///< proposals that are no more
   /// What is looked at.
   [[nodiscard]] Vantage vantage() const { return {camera_name(shot_.camera, stage_->camera_names), shot_.frame}; }
   bool locks_chosen_ = false;

@@ -51,6 +51,7 @@ void Session::propose(ParamState lights, Solved solved) {
 }
 
 void Session::drop_proposal() {
+  if (has_proposal()) ++dropped_;
   solve_.reset();
   proposed_.reset();
   picture_.reset();

@@ -163,7 +163,7 @@ Result<void> Workbench::act(const Task& task, After after) {
   const auto marks = [&] { return std::pair(project.undo_steps(), project.redo_steps()); };
   const auto before = marks();
   const std::size_t newest = project.newest();
-  const bool proposed = session_->has_proposal();
+  const std::pair proposal(session_->has_proposal(), session_->dropped());
   const std::uint64_t stage = session_->stage().id;
   const auto done = task(*session_);
   if (session_->stage().id != stage) {  // what is small, and what is watched, was of the stage before
@@ -176,8 +176,8 @@ Result<void> Workbench::act(const Task& task, After after) {
   const Solved* solved = session_->solved();
   const bool started = session_->has_proposal() && solved != nullptr &&
                        solved->report.termination == Termination::kRunning && solved->report.solver != "live";
-  const bool changed =
-      session_->stage().id != stage || marks() != before || session_->has_proposal() != proposed || started != solving_;
+  const bool changed = session_->stage().id != stage || marks() != before || started != solving_ ||
+                       std::pair(session_->has_proposal(), session_->dropped()) != proposal;
   if (!changed && !trial_) return done;
   const KeptProposal* back = nullptr;
   if (moved) {

@@ -46,6 +46,29 @@ TEST_F(WorkbenchFramesTest, AProposalComesBackWithItsPlaceInTheHistoryAndNotWith
   EXPECT_FALSE(look()->proposal);
 }
 
+TEST_F(WorkbenchFramesTest, ASolveOfSeveralFramesTakesThePlaceOfLightsThatFollow) {
+  paint_at(24);
+  paint_at(0);
+  add_dark_light();
+  bench_->set_live(true);
+  rest();
+  const std::string followed = rig_to_toml(look()->shown->rig);
+  ASSERT_TRUE(look()->proposal);
+  LUM_EXPECT_OK(bench_->act([](Session& session) -> Result<void> {  // in place of a proposal, and no command tells
+    const std::string camera = Shots(session).present().camera;
+    const std::vector<FrameChoice> both = {{{camera, 0}}, {{camera, 24}, 3.0}};
+    return Shots(session).solve(both, few_evals(), false, {});
+  }));
+  rest();
+  LUM_EXPECT_OK(bench_->act([&](Session& session) -> Result<void> {
+    EXPECT_EQ(session.solved()->frames.size(), 2U);
+    EXPECT_NE(rig_to_toml(session.shown().rig), followed);
+    EXPECT_EQ(rig_to_toml(look()->shown->rig), rig_to_toml(session.shown().rig));
+    EXPECT_EQ(look()->report->epsilon, session.solved()->report.epsilon);
+    return {};
+  }));
+}
+
 TEST_F(WorkbenchFramesTest, ASolveOfOthersComesBackWhereNothingIsPainted) {
   paint_at(24);
   paint_at(12);
