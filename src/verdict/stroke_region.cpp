@@ -16,12 +16,17 @@ std::uint64_t pixel_hash(std::span<const std::uint32_t> pixels) {
   return hash;
 }
 
-std::string most_shown(const StrokeRegion& region, const SurfaceBuffer& surface) {
-  std::map<std::uint32_t, std::size_t> count;
-  for (const std::uint32_t pixel : region.pixels) ++count[surface.object[pixel]];
+/// The object that the paint changes most; if it changes nothing, that of most of the pixels.
+std::string object_changed(const StrokeRegion& region, const SurfaceBuffer& surface, const Target& target) {
+  std::map<std::uint32_t, std::pair<double, std::size_t>> change;  // and pixels
+  for (const std::uint32_t pixel : region.pixels) {
+    auto& [sum, pixels] = change[surface.object[pixel]];
+    sum += glm::distance(target.color.rgb(pixel), target.before.rgb(pixel));
+    ++pixels;
+  }
   const auto most =
-      std::max_element(count.begin(), count.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
-  if (most == count.end() || most->first >= surface.object_names.size()) return "";
+      std::max_element(change.begin(), change.end(), [](const auto& a, const auto& b) { return a.second < b.second; });
+  if (most == change.end() || most->first >= surface.object_names.size()) return "";
   return surface.object_names[most->first];
 }
 
@@ -57,7 +62,7 @@ std::vector<StrokeRegion> stroke_regions(const SurfaceBuffer& surface, const Tar
   std::vector<StrokeRegion> regions;
   for (auto& [stroke, region] : found) {
     region.stroke = stroke;
-    region.object = most_shown(region, surface);
+    region.object = object_changed(region, surface, target);
     regions.push_back(std::move(region));
   }
   return regions;
@@ -76,16 +81,20 @@ Shortfall shortfall(const StrokeRegion& region, const Target& target, const Imag
     const Vec3 lack = wanted - picture.rgb(pixel);
     const Vec3 light = glm::max(lack, 0.0F);
     const Vec3 dark = glm::max(-lack, 0.0F);
+    const double wished = weight * glm::distance(wanted, target.before.rgb(pixel));
     importance += weight;
-    sum.wished += weight * glm::distance(wanted, target.before.rgb(pixel));
+    sum.wished += wished;
     sum.missed += weight * glm::length(lack);
     sum.light += weight * (light.x + light.y + light.z);
     sum.dark += weight * (dark.x + dark.y + dark.z);
     sum.scale += weight * glm::length(wanted);
+    sum.missed_where_wished += wished * glm::length(lack);
+    sum.scale_where_wished += wished * glm::length(wanted);
   }
   if (!(importance > 0.0)) return {};
-  return {sum.wished / importance, sum.missed / importance, sum.light / importance, sum.dark / importance,
-          sum.scale / importance};
+  if (sum.wished > 0.0) sum.missed_where_wished /= sum.wished, sum.scale_where_wished /= sum.wished;
+  for (double* mean : {&sum.wished, &sum.missed, &sum.light, &sum.dark, &sum.scale}) *mean /= importance;
+  return sum;
 }
 
 double SampledWish::error(std::span<const Vec3> colors) const {

@@ -13,7 +13,7 @@ struct StrokeRegion {
   std::uint32_t stroke = 0;           ///< id in Target::stroke
   std::vector<std::uint32_t> pixels;  ///< that show a surface and count, in row order
   std::size_t empty_pixels = 0;       ///< that count and show nothing
-  std::string object;                 ///< that most of the pixels show
+  std::string object;                 ///< that the paint changes most
 };
 
 /// Every stroke that paints a pixel that counts, by id, and stroke 0 first if any unpainted pixel counts.
@@ -27,12 +27,20 @@ struct Shortfall {
   double light = 0.0;   ///< of the missed: where light is lacking, sum over channels of max(0, T - R)
   double dark = 0.0;    ///< where there is too much, sum over channels of max(0, R - T)
   double scale = 0.0;   ///< |T|: what the eye compares with
+  double missed_where_wished = 0.0;  ///< as missed and scale, by importance times |T - before|: paint that changes
+  double scale_where_wished = 0.0;   ///< half of what it covers is as plain to see as paint that changes all
 
   /// Missed so little that nobody minds: 35 % of what was wished, which is about what strokes of a round brush differ
   /// from a light's own gradients, or a change that is hard to see.
-  [[nodiscard]] bool met() const { return missed <= 0.35 * wished || missed <= 0.005 + 0.04 * scale; }
+  [[nodiscard]] bool met() const {
+    const bool hard_to_see = missed <= seen_at(scale) && missed_where_wished <= seen_at(scale_where_wished);
+    return missed <= 0.35 * wished || hard_to_see;
+  }
   /// The share of the wish that came true, at most 1; 0 too where the picture went the other way.
   [[nodiscard]] double attained() const;
+
+ private:
+  static double seen_at(double scale) { return 0.005 + 0.04 * scale; }
 };
 
 Shortfall shortfall(const StrokeRegion& region, const Target& target, const Image& picture);

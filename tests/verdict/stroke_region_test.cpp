@@ -65,6 +65,32 @@ TEST_F(StrokeRegionTest, TheShortfallIsMeasuredAgainstTheWish) {
   EXPECT_TRUE(near.met());
 }
 
+TEST_F(StrokeRegionTest, PaintThatChangesAFewOfItsPixelsIsNotMetByTheOthers) {
+  const StrokeRegion region = stroke_regions(fake_.surface(), target_)[1];
+  const std::size_t changed = region.pixels.size() / 8;
+  for (std::size_t k = 0; k < region.pixels.size(); ++k) {
+    const std::uint32_t pixel = region.pixels[k];
+    target_.before.set_rgb(pixel, Vec3(0.7F));
+    target_.color.set_rgb(pixel, k < changed ? Vec3(0.9F) : Vec3(0.7F));
+  }
+  const Shortfall unchanged = shortfall(region, target_, target_.before);
+  EXPECT_LT(unchanged.missed, 0.005 + 0.04 * unchanged.scale);  // on the whole nobody would see it
+  EXPECT_NEAR(unchanged.missed_where_wished, 0.2 * std::sqrt(3.0), 1e-5);
+  EXPECT_NEAR(unchanged.scale_where_wished, 0.9 * std::sqrt(3.0), 1e-5);
+  EXPECT_FALSE(unchanged.met());
+  EXPECT_TRUE(shortfall(region, target_, target_.color).met());
+}
+
+TEST_F(StrokeRegionTest, AStrokeIsCalledAfterWhatItChangesNotWhatItCovers) {
+  const std::vector<std::uint32_t>& object = fake_.surface().object;
+  for (std::size_t i = 0; i < object.size(); ++i) target_.stroke[i] = object[i] == 0 ? 0 : 5;
+  const StrokeRegion covered = stroke_regions(fake_.surface(), target_).back();
+  const auto first = std::find(object.begin(), object.end(), 3) - object.begin();
+  ASSERT_NE(covered.object, "sphere 1");
+  target_.color.set_rgb(static_cast<std::size_t>(first), Vec3(2.0F));
+  EXPECT_EQ(stroke_regions(fake_.surface(), target_).back().object, "sphere 1");
+}
+
 TEST_F(StrokeRegionTest, SamplesKeepTheShareOfEachStroke) {
   for (std::uint32_t i = 0; i < target_.stroke.size(); ++i) {
     target_.importance.data[i] = target_.stroke[i] == 2 ? 1.0F : 0.1F;
