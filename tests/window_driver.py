@@ -175,16 +175,18 @@ def kept_session(studio):
     return folder
 
 
+def count_colors(studio, part):
+    """How many colours a part of the screen (WxH+X+Y) has."""
+    probe = studio.output / "probe.png"
+    subprocess.run(["import", "-window", "root", "-crop", part, "+repage", probe], env=studio.env, check=True)
+    colors = int(subprocess.run(["identify", "-format", "%k", probe], check=True, capture_output=True).stdout)
+    probe.unlink()
+    return colors
+
+
 def ready(studio):
     """Until the window shows the picture: its tool strip and a bright hint are there long before, so look at the middle."""
-    probe = studio.output / "probe.png"
-
-    def shows():
-        subprocess.run(["import", "-window", "root", "-crop", "600x400+310+150", "+repage", probe], env=studio.env, check=True)
-        return int(subprocess.run(["identify", "-format", "%k", probe], check=True, capture_output=True).stdout) > 500
-
-    wait_for("the picture shows", shows)
-    probe.unlink()
+    wait_for("the picture shows", lambda: count_colors(studio, "600x400+310+150") > 500)
 
 
 def drive(play):

@@ -10,6 +10,7 @@ import subprocess
 import sys
 import time
 
+from window_cameras import cameras
 from window_driver import RIGHT_PANEL, ROOT, Fault, compare, count, drive, kept_session, labels, place, ready, records, replayed_rig, wait_for
 
 SKIPPED = 77
@@ -330,6 +331,7 @@ def play(studio, output):
     crash_and_reopen(studio, named)
     recover_unsaved(studio)
     frames(studio)
+    cameras(studio)
     lights = replayed_rig(studio, named).count("[[light]]")
     if lights != 1:
         raise Fault(f"the replayed project has {lights} lights, 1 was painted")

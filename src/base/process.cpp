@@ -26,22 +26,18 @@ using Clock = std::chrono::steady_clock;
 constexpr std::size_t kChunk = 1U << 18U;
 constexpr std::size_t kKeptErrors = 1U << 14U;
 
-struct Child {
-  pid_t pid = -1;
-  Descriptor in, out, err;  ///< our ends
-};
-
 Error cannot_start(const std::string& path, int error_number) {
   return {ErrorKind::kChild, fmt::format("cannot start: {}", std::strerror(error_number)), path, "", ""};
 }
 
-Result<Child> start(const std::vector<std::string>& arguments) {
+/// The streams are our ends of the child's.
+Result<pid_t> spawn(const std::vector<std::string>& arguments, std::array<Descriptor*, 3> streams) {
   std::array<int, 2> in{-1, -1}, out{-1, -1}, err{-1, -1};
   // A socket, not a pipe: writing to a child that is gone can then fail without raising SIGPIPE.
   const bool made = ::socketpair(AF_UNIX, SOCK_STREAM | SOCK_CLOEXEC, 0, in.data()) == 0 &&
                     ::pipe2(out.data(), O_CLOEXEC) == 0 && ::pipe2(err.data(), O_CLOEXEC) == 0;
   const int pipe_error = errno;
-  Child child{-1, Descriptor(in[0]), Descriptor(out[0]), Descriptor(err[0])};
+  *streams[0] = Descriptor(in[0]), *streams[1] = Descriptor(out[0]), *streams[2] = Descriptor(err[0]);
   const Descriptor child_in(in[1]), child_out(out[1]), child_err(err[1]);
   if (!made) return cannot_start(arguments[0], pipe_error);
 
@@ -65,71 +61,13 @@ Result<Child> start(const std::vector<std::string>& arguments) {
   std::vector<char*> argv;
   for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));  // exec's type
   argv.push_back(nullptr);
-  const int failed = ::posix_spawn(&child.pid, argv[0], &actions, &attributes, argv.data(), environ);
+  pid_t pid = -1;
+  const int failed = ::posix_spawn(&pid, argv[0], &actions, &attributes, argv.data(), environ);
   ::posix_spawn_file_actions_destroy(&actions);
   ::posix_spawnattr_destroy(&attributes);
   if (failed != 0) return cannot_start(arguments[0], failed);
-  return child;
+  return pid;
 }
-
-/// Moves bytes between us and the child until both its outputs are at their end or it has been silent for too long.
-class Exchange {
- public:
-  Exchange(const ProcessRequest& request, Child& child, ProcessEnd& end)
-      : request_(&request), child_(&child), end_(&end), pieces_(request.input), buffer_(kChunk, '\0') {}
-
-  void run() {
-    Clock::time_point deadline = Clock::now() + request_->longest_silence;
-    while (child_->out.open() || child_->err.open()) {
-      while (!pieces_.empty() && pieces_.front().empty()) pieces_.erase(pieces_.begin());
-      if (pieces_.empty()) child_->in.reset();
-      std::array<pollfd, 3> fds{pollfd{child_->out.get(), POLLIN, 0}, pollfd{child_->err.get(), POLLIN, 0},
-                                pollfd{child_->in.get(), POLLOUT, 0}};  // poll skips a descriptor of -1
-      const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now()).count();
-      const int ready = left <= 0 ? 0 : ::poll(fds.data(), fds.size(), static_cast<int>(std::min<long>(left, 1 << 30)));
-      if (ready < 0 && errno == EINTR) continue;
-      if (ready <= 0) {
-        end_->timed_out = true;
-        return;
-      }
-      bool progress = false;
-      if (fds[0].revents != 0) progress |= take(child_->out, [this](std::string_view s) { on_output(s); });
-      if (fds[1].revents != 0) take(child_->err, [this](std::string_view s) { on_errors(s); });
-      if (fds[2].revents != 0) progress |= give();
-      if (progress) deadline = Clock::now() + request_->longest_silence;
-    }
-  }
-
- private:
-  template <class Sink>
-  bool take(Descriptor& from, Sink sink) {
-    const ssize_t got = ::read(from.get(), buffer_.data(), buffer_.size());
-    if (got > 0) sink(std::string_view(buffer_.data(), static_cast<std::size_t>(got)));
-    if (got == 0 || (got < 0 && errno != EINTR && errno != EAGAIN)) from.reset();
-    return got > 0;
-  }
-  bool give() {
-    std::string_view& piece = pieces_.front();
-    const ssize_t sent =
-        ::send(child_->in.get(), piece.data(), std::min(piece.size(), kChunk), MSG_NOSIGNAL | MSG_DONTWAIT);
-    if (sent > 0) piece.remove_prefix(static_cast<std::size_t>(sent));
-    if (sent < 0 && errno != EINTR && errno != EAGAIN) pieces_.clear();  // it does not want more; it may still answer
-    return sent > 0;
-  }
-  void on_output(std::string_view bytes) const {
-    if (request_->on_output) request_->on_output(bytes);
-  }
-  void on_errors(std::string_view bytes) const {
-    end_->errors += bytes;
-    if (end_->errors.size() > kKeptErrors) end_->errors.erase(0, end_->errors.size() - kKeptErrors);
-  }
-
-  const ProcessRequest* request_;
-  Child* child_;
-  ProcessEnd* end_;
-  std::vector<std::string_view> pieces_;
-  std::string buffer_;
-};
 
 /// Collects the child's end; one that closed its outputs and lingers is killed after the limit.
 void wait_for(pid_t pid, Clock::time_point deadline, ProcessEnd& end) {
@@ -168,19 +106,103 @@ std::string ProcessEnd::description() const {
                        last - (start == std::string::npos ? 0 : start + 1) + 1);
 }
 
-Result<ProcessEnd> run_process(const ProcessRequest& request) {
-  LUM_TRY(Child child, start(request.arguments));
+/// Moves bytes between us and the child.
+struct ChildProcess::Child {
+  pid_t pid = -1;
+  Descriptor in, out, err;  ///< our ends of its streams
   ProcessEnd end;
-  try {
-    Exchange(request, child, end).run();
-  } catch (...) {  // on_output is the caller's; the child must not outlive it
-    ::kill(child.pid, SIGKILL);
-    wait_for(child.pid, Clock::now(), end);
-    throw;
+  std::string buffer = std::string(kChunk, '\0');
+
+  using Enough = std::function<bool(std::string_view)>;
+
+  /// Until it is enough, both outputs are at their end, or the child has been silent for too long.
+  bool exchange(std::vector<std::string_view> pieces, bool last, const Enough& enough,
+                std::chrono::milliseconds longest_silence) {
+    Clock::time_point deadline = Clock::now() + longest_silence;
+    while (out.open() || err.open()) {
+      while (!pieces.empty() && pieces.front().empty()) pieces.erase(pieces.begin());
+      if (pieces.empty() && last) in.reset();
+      std::array<pollfd, 3> fds{pollfd{out.get(), POLLIN, 0}, pollfd{err.get(), POLLIN, 0},
+                                pollfd{pieces.empty() ? -1 : in.get(), POLLOUT, 0}};  // poll skips a -1
+      const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(deadline - Clock::now()).count();
+      const int ready = left <= 0 ? 0 : ::poll(fds.data(), fds.size(), static_cast<int>(std::min<long>(left, 1 << 30)));
+      if (ready < 0 && errno == EINTR) continue;
+      if (ready <= 0) {
+        end.timed_out = true;
+        return false;
+      }
+      const std::string_view said = fds[0].revents != 0 ? take(out) : std::string_view();
+      if (!said.empty() && enough(said)) return true;
+      bool progress = !said.empty();
+      if (fds[1].revents != 0) keep_errors(take(err));
+      if (fds[2].revents != 0) progress |= give(pieces);
+      if (progress) deadline = Clock::now() + longest_silence;
+    }
+    return false;
   }
-  child.in.reset();
-  wait_for(child.pid, end.timed_out ? Clock::now() : Clock::now() + request.longest_silence, end);
-  return end;
+
+  std::string_view take(Descriptor& from) {
+    const ssize_t got = ::read(from.get(), buffer.data(), buffer.size());
+    if (got == 0 || (got < 0 && errno != EINTR && errno != EAGAIN)) from.reset();
+    return {buffer.data(), static_cast<std::size_t>(std::max<ssize_t>(got, 0))};
+  }
+  bool give(std::vector<std::string_view>& pieces) const {
+    std::string_view& piece = pieces.front();
+    const ssize_t sent = ::send(in.get(), piece.data(), std::min(piece.size(), kChunk), MSG_NOSIGNAL | MSG_DONTWAIT);
+    if (sent > 0) piece.remove_prefix(static_cast<std::size_t>(sent));
+    if (sent < 0 && errno != EINTR && errno != EAGAIN) pieces.clear();  // it does not want more; it may still answer
+    return sent > 0;
+  }
+  void keep_errors(std::string_view bytes) {
+    end.errors += bytes;
+    if (end.errors.size() > kKeptErrors) end.errors.erase(0, end.errors.size() - kKeptErrors);
+  }
+};
+
+ChildProcess::ChildProcess(std::unique_ptr<Child> child) : child_(std::move(child)) {}
+ChildProcess::ChildProcess(ChildProcess&& other) noexcept = default;
+
+ChildProcess& ChildProcess::operator=(ChildProcess&& other) noexcept {
+  std::swap(child_, other.child_);
+  return *this;
+}
+
+ChildProcess::~ChildProcess() {
+  constexpr std::chrono::seconds kToLeave{1};
+  if (child_) end(kToLeave);
+}
+
+Result<ChildProcess> ChildProcess::start(const std::vector<std::string>& arguments) {
+  auto child = std::make_unique<Child>();
+  LUM_TRY(child->pid, spawn(arguments, {&child->in, &child->out, &child->err}));
+  return ChildProcess(std::move(child));
+}
+
+bool ChildProcess::waits() const {
+  pollfd output{child_->out.get(), POLLIN, 0};
+  return child_->in.open() && child_->out.open() && ::poll(&output, 1, 0) == 0;
+}
+
+bool ChildProcess::ask(std::vector<std::string_view> input, const std::function<bool(std::string_view)>& enough,
+                       std::chrono::milliseconds longest_silence) {
+  return child_->exchange(std::move(input), false, enough, longest_silence);
+}
+
+ProcessEnd ChildProcess::end(std::chrono::milliseconds patience) {
+  const std::unique_ptr<Child> child = std::exchange(child_, nullptr);
+  for (Descriptor* stream : {&child->in, &child->out, &child->err}) stream->reset();
+  wait_for(child->pid, child->end.timed_out ? Clock::now() : Clock::now() + patience, child->end);
+  return std::move(child->end);
+}
+
+Result<ProcessEnd> run_process(const ProcessRequest& request) {
+  LUM_TRY(ChildProcess process, ChildProcess::start(request.arguments));
+  const auto take = [&](std::string_view bytes) {
+    if (request.on_output) request.on_output(bytes);
+    return false;
+  };
+  process.child_->exchange(request.input, true, take, request.longest_silence);
+  return process.end(request.longest_silence);
 }
 
 }  // namespace luminist

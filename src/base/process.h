@@ -2,6 +2,7 @@
 // base/process.h -- running a child process: bytes in, bytes out, a limit on its patience.
 #include <chrono>
 #include <functional>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,6 +27,32 @@ struct ProcessEnd {
   [[nodiscard]] bool ok() const { return exit_status == 0 && signal == 0 && !timed_out; }
   /// "ended with status 3", "was ended by signal 11 (Segmentation fault)", "did not answer", with its last error line.
   [[nodiscard]] std::string description() const;
+};
+
+/// A child that is asked again and again. It ends with this: its input does, and if it lingers it is killed.
+/// thread one at a time.
+class ChildProcess {
+ public:
+  /// It inherits the environment and no open file. errors kChild if it cannot be started.
+  static Result<ChildProcess> start(const std::vector<std::string>& arguments);
+  ChildProcess(ChildProcess&& other) noexcept;
+  ChildProcess& operator=(ChildProcess&& other) noexcept;
+  ~ChildProcess();
+
+  /// Whether it is there, as far as can be told, and has said nothing that nobody asked for.
+  [[nodiscard]] bool waits() const;
+  /// Gives it input and takes its output until `enough` says so of the last of it, or its outputs end, or it is silent
+  /// for too long. returns whether it was enough; if not, what is left to do is to end it.
+  bool ask(std::vector<std::string_view> input, const std::function<bool(std::string_view)>& enough,
+           std::chrono::milliseconds longest_silence);
+  /// The end of its input; waits for its own. One that was silent for too long is killed at once.
+  ProcessEnd end(std::chrono::milliseconds patience);
+
+ private:
+  friend Result<ProcessEnd> run_process(const ProcessRequest& request);
+  struct Child;
+  explicit ChildProcess(std::unique_ptr<Child> child);
+  std::unique_ptr<Child> child_;
 };
 
 /// Runs a child and waits for its end. A child that dies, or does not read its input, does not disturb this process

@@ -3,114 +3,19 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
 #include <filesystem>
-#include <memory>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "base/files.h"
-#include "base/process.h"
-#include "image_io/packet.h"
+#include "image_io/dialogue.h"
 
 namespace luminist {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// LUMINIST_IMAGE_HELPER, or the helper beside the running executable. errors kChild.
-Result<std::string> helper_path() {
-  if (const char* given = std::getenv("LUMINIST_IMAGE_HELPER")) return std::string(given);
-  std::error_code error;
-  const fs::path beside = fs::read_symlink("/proc/self/exe", error).parent_path() / "luminist-image";
-  if (fs::exists(beside, error)) return beside.string();
-  return Error{ErrorKind::kChild, "the helper that reads and writes images is missing", beside.string(), "",
-               "reinstall, or set LUMINIST_IMAGE_HELPER"};
-}
-
-struct Answer {
-  PacketHeader header;
-  std::string text;
-  std::string data;
-};
-
-/// Assembles answers from the helper's output as it arrives, in pieces of any size. Sizes are checked before memory is
-/// taken: the helper may have been taken over by the file it read.
-class AnswerStream {
- public:
-  void take(std::string_view bytes) {
-    while (!bytes.empty() && !broken_) {
-      if (filled_ < sizeof(PacketHeader)) {
-        copy(bytes, reinterpret_cast<char*>(&answer_.header), sizeof(PacketHeader), 0);
-        if (filled_ == sizeof(PacketHeader)) begin();
-      } else if (filled_ < sizeof(PacketHeader) + answer_.text.size()) {
-        copy(bytes, answer_.text.data(), answer_.text.size(), sizeof(PacketHeader));
-      } else {
-        copy(bytes, answer_.data.data(), answer_.data.size(), sizeof(PacketHeader) + answer_.text.size());
-      }
-      finish_if_complete();
-    }
-  }
-  [[nodiscard]] std::vector<Answer>& complete() { return complete_; }
-
- private:
-  void copy(std::string_view& bytes, char* to, std::size_t size, std::size_t start) {
-    const std::size_t count = std::min(bytes.size(), start + size - filled_);
-    std::memcpy(to + (filled_ - start), bytes.data(), count);
-    filled_ += count;
-    bytes.remove_prefix(count);
-  }
-  void begin() {
-    const PacketHeader& h = answer_.header;
-    constexpr std::uint64_t kMostText = 1U << 16U;
-    broken_ = h.magic != kPacketMagic || h.text_size > kMostText || h.data_size > kMostFileBytes;
-    if (broken_) return;
-    answer_.text.resize(h.text_size);
-    answer_.data.resize(h.data_size);
-  }
-  void finish_if_complete() {
-    if (broken_ || filled_ < sizeof(PacketHeader)) return;
-    if (filled_ < sizeof(PacketHeader) + answer_.text.size() + answer_.data.size()) return;
-    complete_.push_back(std::move(answer_));
-    answer_ = {};
-    filled_ = 0;
-  }
-
-  Answer answer_;
-  std::size_t filled_ = 0;
-  bool broken_ = false;
-  std::vector<Answer> complete_;
-};
-
-struct Question {
-  PacketHeader header;
-  std::string_view text;
-  std::string_view data;
-};
-
-struct Dialogue {
-  std::vector<Answer> answers;  ///< as many as came before the helper's end
-  ProcessEnd end;
-};
-
-Result<Dialogue> ask(const char* verb, std::span<Question> questions) {
-  LUM_TRY(std::string helper, helper_path());
-  ProcessRequest request;
-  request.arguments = {std::move(helper), verb};
-  for (Question& q : questions) {
-    q.header.text_size = q.text.size(), q.header.data_size = q.data.size();
-    request.input.emplace_back(reinterpret_cast<const char*>(&q.header), sizeof(q.header));
-    request.input.push_back(q.text);
-    request.input.push_back(q.data);
-  }
-  AnswerStream stream;
-  request.on_output = [&stream](std::string_view bytes) { stream.take(bytes); };
-  request.longest_silence = std::chrono::seconds(kSecondsEach);
-  LUM_TRY(ProcessEnd end, run_process(request));
-  return Dialogue{std::move(stream.complete()), std::move(end)};
-}
 
 Error error_of(const Answer& answer, const std::string& name) {
   constexpr std::array kKinds{ErrorKind::kBadContent, ErrorKind::kLimit, ErrorKind::kChild};
@@ -171,7 +76,7 @@ Error helper_died(const ProcessEnd& end, const std::string& name) {
 /// Asks for the images from `first` on and stores what comes; returns the first image without a result.
 std::size_t read_run(std::span<const ImageSource> sources, std::span<Question> questions,
                      const std::vector<std::size_t>& order, std::size_t first, std::vector<Result<Image>>& results) {
-  Result<Dialogue> dialogue = ask(kDecodeVerb, questions.subspan(first));
+  Result<Dialogue> dialogue = ask_helper(questions.subspan(first));
   if (!dialogue) {
     for (; first < order.size(); ++first) results[order[first]] = dialogue.error();
     return first;
@@ -202,14 +107,14 @@ std::string encoded_bytes(const Image& image, bool srgb) {
 
 /// An image that is to become a file.
 struct Encodable {
-  const char* verb;  ///< kEncodeExrVerb, kEncodePngVerb
+  HelperTask task;  ///< kEncodeExr, kEncodePng
   const Image* image;
   std::string name;     ///< for messages
   std::string text;     ///< attributes as the helper reads them
   std::string encoded;  ///< samples of a PNG; those of an EXR are the image's own
 
   [[nodiscard]] std::string_view samples() const {
-    if (verb != kEncodeExrVerb) return encoded;
+    if (task != HelperTask::kEncodeExr) return encoded;
     return {reinterpret_cast<const char*>(image->data.data()), image->data.size() * sizeof(float)};
   }
 };
@@ -232,23 +137,23 @@ Result<Encodable> encodable(const std::string& path, const Image& image,
         fmt::format("{} x {} pixels of {} channels are over the limit", image.width, image.height, image.channels),
         path, "", ""};
   }
-  Encodable item{extension == ".exr" ? kEncodeExrVerb : kEncodePngVerb, &image, path, "", ""};
+  Encodable item{extension == ".exr" ? HelperTask::kEncodeExr : HelperTask::kEncodePng, &image, path, "", ""};
   for (const auto& [key, value] : attributes) item.text += key + '\0' + value + '\0';
   if (extension == ".png") item.encoded = encoded_bytes(image, true);
   return item;
 }
 
-/// The files' bytes, from one run of the helper. All of one verb.
+/// The files' bytes, from one run of the helper.
 Result<std::vector<std::string>> encode(std::span<const Encodable> items) {
   std::vector<Question> questions;
   for (const Encodable& item : items) {
-    Question question;
+    Question question{item.task};
     question.header.width = item.image->width, question.header.height = item.image->height;
     question.header.channels = item.image->channels;
     question.text = item.text, question.data = item.samples();
     questions.push_back(question);
   }
-  LUM_TRY(Dialogue dialogue, ask(items.front().verb, questions));
+  LUM_TRY(Dialogue dialogue, ask_helper(questions));
   std::vector<std::string> files;
   for (Answer& answer : dialogue.answers) {
     if (answer.header.status != 0) return error_of(answer, items[files.size()].name);
@@ -269,7 +174,7 @@ Result<StoredAttribute> read_attribute(const std::string& path, const std::strin
   LUM_TRY(const std::string file, read_file(path));
   Question question;
   question.text = path, question.data = file;
-  LUM_TRY(const Dialogue dialogue, ask(kDecodeVerb, {&question, 1}));
+  LUM_TRY(const Dialogue dialogue, ask_helper({&question, 1}));
   if (dialogue.answers.empty()) return helper_died(dialogue.end, path);
   const Answer& answer = dialogue.answers.front();
   LUM_TRY(const Image image, image_from(answer, {path, {}, Encoding::kLinear}));
@@ -332,20 +237,16 @@ Result<void> write_images(std::span<const ImageFile> files) {
     LUM_TRY(Encodable item, encodable(file.path, *file.image, file.attributes));
     items.push_back(std::move(item));
   }
-  const auto first_png =
-      std::stable_partition(items.begin(), items.end(), [](const Encodable& i) { return i.verb == kEncodeExrVerb; });
-  for (const std::span<const Encodable> run :
-       {std::span(items.begin(), first_png), std::span(first_png, items.end())}) {
-    if (run.empty()) continue;
-    LUM_TRY(const std::vector<std::string> bytes, encode(run));
-    for (std::size_t i = 0; i < run.size(); ++i) LUM_TRY_VOID(write_file_atomic(run[i].name, bytes[i]));
-  }
+  if (items.empty()) return {};
+  LUM_TRY(const std::vector<std::string> bytes, encode(items));
+  for (std::size_t i = 0; i < items.size(); ++i) LUM_TRY_VOID(write_file_atomic(items[i].name, bytes[i]));
   return {};
 }
 
 Result<std::string> encode_png(const Image& image, Encoding encoding) {
   LUM_CHECK(image.channels <= 4, "a PNG holds up to four channels");
-  Encodable item{kEncodePngVerb, &image, "a PNG in memory", "", encoded_bytes(image, encoding != Encoding::kLinear)};
+  Encodable item{HelperTask::kEncodePng, &image, "a PNG in memory", "",
+                 encoded_bytes(image, encoding != Encoding::kLinear)};
   if (!size_is_allowed(image.width, image.height, image.channels)) {
     return Error{ErrorKind::kLimit, "the image is over the limit", item.name, "", ""};
   }

@@ -27,8 +27,8 @@ struct ImageSource {
   Encoding encoding = Encoding::kAuto;
 };
 
-/// Reads many images in one run of the helper, whose start takes a quarter of a second. [sources.size()] results, each
-/// with its own error; an image that kills the helper does not spoil the others.
+/// Reads many images in one run of the helper. [sources.size()] results, each with its own error; an image that kills
+/// the helper does not spoil the others.
 std::vector<Result<Image>> read_images(std::span<const ImageSource> sources);
 
 /// The same from bytes in memory (an image inside a .glb); name is for messages.
@@ -56,8 +56,8 @@ struct ImageFile {
   std::map<std::string, std::string> attributes = {};
 };
 
-/// Writes many images in two runs of the helper, one for each kind of file. errors the first, before
-/// anything is written where the name or the size is wrong.
+/// Writes many images in one run of the helper. errors the first, before anything is written where the name or the size
+/// is wrong.
 Result<void> write_images(std::span<const ImageFile> files);
 
 /// 8-bit PNG in memory. errors kChild.

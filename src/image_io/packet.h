@@ -5,11 +5,16 @@
 
 namespace luminist {
 
-/// The helper's verbs (its first argument). It answers every packet on its standard input with one on its output.
-inline constexpr const char* kDecodeVerb =
-    "decode";  ///< text: name; data: a file -> header with size; text: our attributes; samples
-inline constexpr const char* kEncodeExrVerb = "encode-exr";  ///< text: attributes; data: float samples -> a file
-inline constexpr const char* kEncodePngVerb = "encode-png";  ///< text: attributes; data: 8-bit samples -> a file
+/// What the helper is asked for. It answers every packet on its standard input but the last of a run with one on its
+/// output. A run has a process of its own: what a hostile file does to that one dies with it.
+enum class HelperTask : std::uint32_t {
+  kDecode = 1,     ///< text: name; data: a file -> header with size; text: our attributes; samples
+  kEncodeExr = 2,  ///< text: attributes; data: float samples -> a file
+  kEncodePng = 3,  ///< text: attributes; data: 8-bit samples -> a file
+  kEndOfRun = 4,   ///< nothing more for now
+};
+inline constexpr const char* kServeWord = "serve";  ///< the helper's argument
+inline constexpr int kIdleSeconds = 60;             ///< after which it ends
 
 enum class Sample : std::uint32_t { kByte = 1, kShort = 2, kFloat = 4 };  ///< the value is the size in bytes
 
@@ -29,7 +34,7 @@ inline constexpr unsigned kSecondsEach = 60;
 /// Written as it lies in memory: both ends run on one machine.
 struct PacketHeader {
   std::uint32_t magic = kPacketMagic;
-  std::uint32_t status = 0;  ///< answers: 0, or an ErrorKind with its message as the text
+  std::uint32_t status = 0;  ///< questions: a HelperTask; answers: 0, or an ErrorKind with its message as the text
   std::int32_t width = 0;
   std::int32_t height = 0;
   std::int32_t channels = 0;

@@ -22,11 +22,11 @@ std::vector<StrokeRegion> stroke_regions(const SurfaceBuffer& surface, const Tar
 
 /// How a region's wish and its fulfilment compare, in linear RGB, means over its pixels by importance.
 struct Shortfall {
-  double wished = 0.0;  ///< |T - before|
-  double missed = 0.0;  ///< |T - R|
-  double light = 0.0;   ///< of the missed: where light is lacking, sum over channels of max(0, T - R)
-  double dark = 0.0;    ///< where there is too much, sum over channels of max(0, R - T)
-  double scale = 0.0;   ///< |T|: what the eye compares with
+  double wished = 0.0;               ///< |T - before|
+  double missed = 0.0;               ///< |T - R|
+  double light = 0.0;                ///< of the missed: where light is lacking, sum over channels of max(0, T - R)
+  double dark = 0.0;                 ///< where there is too much, sum over channels of max(0, R - T)
+  double scale = 0.0;                ///< |T|: what the eye compares with
   double missed_where_wished = 0.0;  ///< as missed and scale, by importance times |T - before|: paint that changes
   double scale_where_wished = 0.0;   ///< half of what it covers is as plain to see as paint that changes all
 

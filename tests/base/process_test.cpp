@@ -98,5 +98,45 @@ TEST(Process, KeepsOnlyTheEndOfALongErrorOutput) {
   EXPECT_NE(end.errors.find("line 3999"), std::string::npos);
 }
 
+Result<ChildProcess> shell_process(const std::string& script) {
+  return ChildProcess::start({"/bin/sh", "-c", script});
+}
+
+/// What a child says to a line, or "" if it did not say a whole one.
+std::string answer_of(ChildProcess& child, const std::string& line, std::chrono::milliseconds patience = 20s) {
+  std::string answer;
+  const bool enough = child.ask(
+      {line, "\n"},
+      [&answer](std::string_view bytes) {
+        answer += bytes;
+        return answer.ends_with('\n');
+      },
+      patience);
+  return enough ? answer : "";
+}
+
+TEST(ChildProcess, AnswersAgainAndAgain) {
+  LUM_ASSERT_OK(ChildProcess child, shell_process("while read -r line; do echo \"$line, heard\"; done; exit 5"));
+  EXPECT_EQ(answer_of(child, "one"), "one, heard\n");
+  EXPECT_TRUE(child.waits());
+  EXPECT_EQ(answer_of(child, "two"), "two, heard\n");
+  EXPECT_EQ(child.end(20s).exit_status, 5);
+}
+
+TEST(ChildProcess, ThatIsSilentIsGivenUpAndKilled) {
+  LUM_ASSERT_OK(ChildProcess child, shell_process("read -r line; exec sleep 60"));
+  EXPECT_EQ(answer_of(child, "one", 100ms), "");
+  const ProcessEnd end = child.end(20s);
+  EXPECT_TRUE(end.timed_out);
+  EXPECT_EQ(end.signal, SIGKILL);
+}
+
+TEST(ChildProcess, DoesNotWaitOnceItIsGone) {
+  LUM_ASSERT_OK(ChildProcess child, shell_process("read -r line; echo last; exit 0"));
+  EXPECT_EQ(answer_of(child, "one"), "last\n");
+  EXPECT_EQ(answer_of(child, "two"), "");
+  EXPECT_FALSE(child.waits());
+}
+
 }  // namespace
 }  // namespace luminist

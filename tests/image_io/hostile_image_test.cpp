@@ -3,9 +3,13 @@
 #include <sys/stat.h>
 
 #include <array>
+#include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <fstream>
 #include <random>
+#include <thread>
 
 #include "base/files.h"
 #include "image_io/image_io.h"
@@ -211,8 +215,43 @@ TEST(HostileImage, ThatKillsTheHelperDoesNotSpoilTheOthers) {
 }
 
 TEST(HostileImage, MayTakeOverTheHelperButNotItsMaster) {
-  const FakeHelper helper("cat > /dev/null; head -c 100000 /dev/urandom\n");
+  const FakeHelper helper("head -c 100000 /dev/urandom\n");
   EXPECT_EQ(error_of(decode_image("anything", "evil.png", Encoding::kAuto)).kind, ErrorKind::kChild);
+}
+
+TEST(HostileImage, MayTakeOverARunButNotTheNext) {
+  const TemporaryFolder folder;
+  LUM_ASSERT_OK(const std::string png, encode_png(Image(3, 2, 3, 1.0F), Encoding::kSrgb));
+  const std::string real = (std::filesystem::read_symlink("/proc/self/exe").parent_path() / "luminist-image").string();
+  const std::string go = folder.file("go"), said = folder.file("said");
+  // Something of the first run stays behind and speaks between it and the next.
+  const FakeHelper helper("[ -e '" + go + "' ] || ( while [ ! -e '" + go + "' ]; do sleep 0.02; done; " +
+                          "head -c 100 /dev/zero; touch '" + said + "' ) &\nexec '" + real + "' \"$@\"\n");
+  LUM_ASSERT_OK(const Image first, decode_image(png, "first.png", Encoding::kAuto));
+  EXPECT_EQ(first.width, 3);
+  std::ofstream(go) << "go";
+  for (int i = 0; i < 1000 && !std::filesystem::exists(said); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  ASSERT_TRUE(std::filesystem::exists(said));
+  LUM_ASSERT_OK(const Image second, decode_image(png, "second.png", Encoding::kAuto));
+  EXPECT_EQ(second.width, 3);
+}
+
+TEST(ImageHelper, IsStartedOnceAndAgainIfItIsGone) {
+  const TemporaryFolder folder;
+  const std::string real = (std::filesystem::read_symlink("/proc/self/exe").parent_path() / "luminist-image").string();
+  const std::string starts = folder.file("starts");
+  const FakeHelper helper("echo $$ >> '" + starts + "'\nexec '" + real + "' \"$@\"\n");
+  for (int i = 0; i < 3; ++i) {
+    LUM_ASSERT_OK(const std::string png, encode_png(Image(3, 2, 3, 1.0F), Encoding::kSrgb));
+    LUM_EXPECT_OK(decode_image(png, "a.png", Encoding::kAuto));
+  }
+  std::vector<pid_t> ids;
+  std::ifstream lines(starts);
+  for (pid_t id = 0; lines >> id;) ids.push_back(id);
+  ASSERT_EQ(ids.size(), 1U);
+  EXPECT_EQ(::kill(ids[0], SIGKILL), 0);
+  LUM_EXPECT_OK(encode_png(Image(3, 2, 3, 1.0F), Encoding::kSrgb));
 }
 
 TEST(HostileImage, NeedsAHelperToBeRead) {

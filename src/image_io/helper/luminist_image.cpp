@@ -4,12 +4,17 @@
 #include <OpenImageIO/imageio.h>
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <poll.h>
 #include <sys/mman.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <exception>
@@ -247,10 +252,18 @@ Packet encode(Packet& request, bool exr) {
   return answer;
 }
 
-Packet answer_to(const std::string& verb, Packet& request) {
+Packet answer_to(Packet& request) {
   try {
-    if (verb == kDecodeVerb) return decode(request);
-    return encode(request, verb == kEncodeExrVerb);
+    switch (static_cast<HelperTask>(request.header.status)) {
+      case HelperTask::kDecode:
+        return decode(request);
+      case HelperTask::kEncodeExr:
+        return encode(request, true);
+      case HelperTask::kEncodePng:
+        return encode(request, false);
+      default:
+        return failure(ErrorKind::kChild, "unknown task");
+    }
   } catch (const std::bad_alloc&) {
     return failure(ErrorKind::kLimit, "not enough memory for the image");
   } catch (const std::exception& e) {
@@ -268,15 +281,53 @@ void limit_resources() {
 #endif
 }
 
-int serve(const std::string& verb) {
-  limit_resources();
+/// returns the exit status: 0 once the run is at its end.
+int answer_run() {
   OIIO::attribute("threads", 2);
   Packet request;
   while (receive(request)) {
+    if (request.header.status == static_cast<std::uint32_t>(HelperTask::kEndOfRun)) return 0;
     ::alarm(kSecondsEach);  // ends this process should the other one not be there to do it
-    Packet answer = answer_to(verb, request);
+    Packet answer = answer_to(request);
     ::alarm(0);
     if (!send(answer)) return 1;
+  }
+  return 1;
+}
+
+/// Whether there is another run: not if the input is at its end, or nothing comes for a while.
+bool wait_for_run() {
+  for (;;) {
+    pollfd input{STDIN_FILENO, POLLIN, 0};
+    const int ready = ::poll(&input, 1, kIdleSeconds * 1000);
+    if (ready < 0 && errno == EINTR) continue;
+    char first = 0;
+    return ready > 0 && ::recv(STDIN_FILENO, &first, 1, MSG_PEEK) == 1;
+  }
+}
+
+/// Ends as the process of a run did.
+int end_as(int status) {
+  if (!WIFSIGNALED(status)) return WEXITSTATUS(status);
+  std::signal(WTERMSIG(status), SIG_DFL);
+  ::kill(::getpid(), WTERMSIG(status));
+  return 1;
+}
+
+/// Loading the libraries takes longer than most images: they are loaded once, and each run begins from there.
+int serve() {
+  limit_resources();
+  while (wait_for_run()) {
+    const pid_t run = ::fork();
+    if (run < 0) return 1;
+    if (run == 0) {
+      ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+      std::_Exit(answer_run());  // the libraries behind OpenImageIO take their time, and crash, while going down
+    }
+    int status = 0;
+    while (::waitpid(run, &status, 0) < 0 && errno == EINTR) {
+    }
+    if (status != 0) return end_as(status);
   }
   return 0;
 }
@@ -285,10 +336,9 @@ int serve(const std::string& verb) {
 }  // namespace luminist
 
 int main(int argc, char** argv) {
-  const std::string verb = argc == 2 ? argv[1] : "";
-  if (verb != luminist::kDecodeVerb && verb != luminist::kEncodeExrVerb && verb != luminist::kEncodePngVerb) {
+  if (argc != 2 || std::string_view(argv[1]) != luminist::kServeWord) {
     std::fputs("luminist-image is a part of luminist that is not called by hand\n", stderr);
     return 2;
   }
-  std::_Exit(luminist::serve(verb));  // the libraries behind OpenImageIO take their time, and crash, while going down
+  std::_Exit(luminist::serve());
 }
