@@ -11,11 +11,7 @@ namespace luminist {
 namespace {
 
 constexpr int kShards = 20;
-#ifdef __SANITIZE_ADDRESS__
-constexpr int kProblemsAShard = 60;  // the sanitizers take twenty times as long
-#else
-constexpr int kProblemsAShard = 500;
-#endif
+constexpr int kProblemsAShard = static_cast<int>(fewer_sanitized(500));
 
 class DegenerateProblems : public testing::TestWithParam<int> {
  protected:

@@ -171,7 +171,7 @@ TEST(SolveSession, FindsTheLightAndTheColoursOfAStyleWithBands) {
 TEST(SolveSession, IsNeverWorseThanItsStartOnRandomProblems) {
   FakeRenderer renderer(20, 20);
   Random random(77);
-  for (std::uint64_t seed = 0; seed < 60; ++seed) {
+  for (std::uint64_t seed = 0; seed < fewer_sanitized(60); ++seed) {
     Task task{renderer.empty_state(), {}};
     task.start.rig.lights.push_back(hidden_light(renderer, "a", seed));
     if (seed % 3 == 0) task.start.rig.lights.push_back(hidden_light(renderer, "b", seed + 1000));

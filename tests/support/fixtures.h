@@ -2,12 +2,22 @@
 // tests/support/fixtures.h -- what many tests need.
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 
 #include "base/result.h"
 
 namespace luminist {
+
+/// How many of so many problems a test does: the sanitizers take twenty times as long for each.
+constexpr std::uint64_t fewer_sanitized(std::uint64_t problems) {
+#ifdef __SANITIZE_ADDRESS__
+  return (problems + 11) / 12;
+#else
+  return problems;
+#endif
+}
 
 /// A fresh folder that goes away with the test.
 class TemporaryFolder {
