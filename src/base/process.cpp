@@ -52,7 +52,7 @@ Result<pid_t> spawn(const std::vector<std::string>& arguments, std::array<Descri
   sigset_t defaults, unblocked;
   ::sigemptyset(&unblocked);
   ::sigemptyset(&defaults);
-  for (const int s : {SIGPIPE, SIGALRM, SIGTERM, SIGXFSZ}) ::sigaddset(&defaults, s);
+  for (const int s : {SIGPIPE, SIGALRM, SIGTERM, SIGXFSZ, SIGCHLD}) ::sigaddset(&defaults, s);
   ::posix_spawnattr_setsigdefault(&attributes, &defaults);
   ::posix_spawnattr_setsigmask(&attributes, &unblocked);
   // A group of its own: Ctrl-C on the terminal is for us, who may still want the child to write what was found.
@@ -111,6 +111,7 @@ struct ChildProcess::Child {
   pid_t pid = -1;
   Descriptor in, out, err;  ///< our ends of its streams
   ProcessEnd end;
+  bool interrupted = false;  ///< by an exception of whoever takes its output
   std::string buffer = std::string(kChunk, '\0');
 
   using Enough = std::function<bool(std::string_view)>;
@@ -118,9 +119,12 @@ struct ChildProcess::Child {
   /// Until it is enough, both outputs are at their end, or the child has been silent for too long.
   bool exchange(std::vector<std::string_view> pieces, bool last, const Enough& enough,
                 std::chrono::milliseconds longest_silence) {
+    interrupted = true;
+    bool done = false;
     Clock::time_point deadline = Clock::now() + longest_silence;
     while (out.open() || err.open()) {
       while (!pieces.empty() && pieces.front().empty()) pieces.erase(pieces.begin());
+      if (pieces.empty() && done) break;  // not before: what is left would be the next one's input
       if (pieces.empty() && last) in.reset();
       std::array<pollfd, 3> fds{pollfd{out.get(), POLLIN, 0}, pollfd{err.get(), POLLIN, 0},
                                 pollfd{pieces.empty() ? -1 : in.get(), POLLOUT, 0}};  // poll skips a -1
@@ -129,16 +133,25 @@ struct ChildProcess::Child {
       if (ready < 0 && errno == EINTR) continue;
       if (ready <= 0) {
         end.timed_out = true;
-        return false;
+        done = false;
+        break;
       }
       const std::string_view said = fds[0].revents != 0 ? take(out) : std::string_view();
-      if (!said.empty() && enough(said)) return true;
+      done = (!said.empty() && enough(said)) || done;
       bool progress = !said.empty();
       if (fds[1].revents != 0) keep_errors(take(err));
       if (fds[2].revents != 0) progress |= give(pieces);
       if (progress) deadline = Clock::now() + longest_silence;
     }
-    return false;
+    interrupted = false;
+    return done && pieces.empty();
+  }
+
+  /// What it said about what it was asked before is not about what it is asked now.
+  void forget_errors() {
+    pollfd waiting{err.get(), POLLIN, 0};
+    while (err.open() && ::poll(&waiting, 1, 0) > 0) take(err);
+    end.errors.clear();
   }
 
   std::string_view take(Descriptor& from) {
@@ -169,7 +182,9 @@ ChildProcess& ChildProcess::operator=(ChildProcess&& other) noexcept {
 
 ChildProcess::~ChildProcess() {
   constexpr std::chrono::seconds kToLeave{1};
-  if (child_) end(kToLeave);
+  if (!child_) return;
+  if (child_->interrupted) ::kill(child_->pid, SIGKILL);
+  end(kToLeave);
 }
 
 Result<ChildProcess> ChildProcess::start(const std::vector<std::string>& arguments) {
@@ -185,6 +200,7 @@ bool ChildProcess::waits() const {
 
 bool ChildProcess::ask(std::vector<std::string_view> input, const std::function<bool(std::string_view)>& enough,
                        std::chrono::milliseconds longest_silence) {
+  child_->forget_errors();
   return child_->exchange(std::move(input), false, enough, longest_silence);
 }
 

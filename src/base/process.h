@@ -41,8 +41,8 @@ class ChildProcess {
 
   /// Whether it is there, as far as can be told, and has said nothing that nobody asked for.
   [[nodiscard]] bool waits() const;
-  /// Gives it input and takes its output until `enough` says so of the last of it, or its outputs end, or it is silent
-  /// for too long. returns whether it was enough; if not, what is left to do is to end it.
+  /// Gives it all of the input and takes its output until `enough` says so of the last of it, or its outputs end, or it
+  /// is silent for too long. returns whether it was enough; if not, what is left to do is to end it.
   bool ask(std::vector<std::string_view> input, const std::function<bool(std::string_view)>& enough,
            std::chrono::milliseconds longest_silence);
   /// The end of its input; waits for its own. One that was silent for too long is killed at once.

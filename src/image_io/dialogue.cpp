@@ -1,9 +1,11 @@
 #include "image_io/dialogue.h"
 
 #include <algorithm>
+#include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <filesystem>
+#include <iterator>
 #include <mutex>
 #include <optional>
 #include <utility>
@@ -80,24 +82,41 @@ struct Helper {
   ChildProcess process;
 };
 
-/// Helpers between two runs. They end by themselves if they wait for long.
+/// Helpers between two runs. They end by themselves if they wait for long; the one that waited least is taken first.
 class IdleHelpers {
  public:
   std::optional<Helper> take(const std::string& path) {
+    std::vector<Helper> gone;  // their end is waited for without the lock
     const std::lock_guard lock(mutex_);
-    std::erase_if(helpers_, [](const Helper& each) { return !each.process.waits(); });
-    const auto found = std::ranges::find(helpers_, path, &Helper::path);
-    if (found == helpers_.end()) return std::nullopt;
-    std::optional<Helper> helper(std::move(*found));
-    helpers_.erase(found);
-    return helper;
+    put_away_dead(gone);
+    for (auto each = helpers_.rbegin(); each != helpers_.rend(); ++each) {
+      if (each->path != path) continue;
+      std::optional<Helper> helper(std::move(*each));
+      helpers_.erase(std::next(each).base());
+      return helper;
+    }
+    return std::nullopt;
   }
   void give(Helper helper) {
+    std::vector<Helper> gone;
     const std::lock_guard lock(mutex_);
+    put_away_dead(gone);
     helpers_.push_back(std::move(helper));
+    if (helpers_.size() <= kMostIdle) return;
+    gone.push_back(std::move(helpers_.front()));
+    helpers_.erase(helpers_.begin());
   }
 
  private:
+  static constexpr std::size_t kMostIdle = 2;
+
+  void put_away_dead(std::vector<Helper>& gone) {
+    const auto dead = std::stable_partition(helpers_.begin(), helpers_.end(),
+                                            [](const Helper& each) { return each.process.waits(); });
+    std::move(dead, helpers_.end(), std::back_inserter(gone));
+    helpers_.erase(dead, helpers_.end());
+  }
+
   std::mutex mutex_;
   std::vector<Helper> helpers_;
 };
@@ -121,7 +140,8 @@ Dialogue talk(Helper helper, const std::vector<std::string_view>& input, std::si
   if (all) {
     idle_helpers().give(std::move(helper));
   } else {
-    dialogue.end = helper.process.end(kSilence);
+    constexpr std::chrono::seconds kToLeave{1};  // from one that talks nonsense there is nothing more to learn
+    dialogue.end = helper.process.end(stream.broken() ? kToLeave : kSilence);
   }
   return dialogue;
 }
@@ -146,7 +166,8 @@ Result<Dialogue> ask_helper(std::span<Question> questions) {
   add_header(last);
   if (std::optional<Helper> waiting = idle_helpers().take(path)) {
     Dialogue dialogue = talk(std::move(*waiting), input, questions.size());
-    if (!dialogue.answers.empty() || dialogue.end.timed_out) return dialogue;
+    const bool too_slow = dialogue.end.timed_out || dialogue.end.signal == SIGALRM;
+    if (!dialogue.answers.empty() || too_slow) return dialogue;
   }  // it may have ended just now, for want of work
   LUM_TRY(ChildProcess process, ChildProcess::start({path, kServeWord}));
   return talk({path, std::move(process)}, input, questions.size());

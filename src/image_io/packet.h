@@ -6,7 +6,8 @@
 namespace luminist {
 
 /// What the helper is asked for. It answers every packet on its standard input but the last of a run with one on its
-/// output. A run has a process of its own: what a hostile file does to that one dies with it.
+/// output. A run has a process of its own, which is killed with its group: what a hostile file makes of it ends there,
+/// unless it takes the trouble to leave the group.
 enum class HelperTask : std::uint32_t {
   kDecode = 1,     ///< text: name; data: a file -> header with size; text: our attributes; samples
   kEncodeExr = 2,  ///< text: attributes; data: float samples -> a file

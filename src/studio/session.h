@@ -109,9 +109,9 @@ class Session : private SessionData {
   /// Until there is nothing more to do, or watch says false: asked about every 50 ms.
   Result<void> finish_solve(const SolveWatch& watch);
   Result<void> solve(const SolveOptions& options, const SolveWatch& watch);
+  [[nodiscard]] std::size_t dropped() const { return dropped_; }  ///< proposals that made way for something else
   [[nodiscard]] bool has_proposal() const { return solve_ || proposed_; }
-  [[nodiscard]] std::size_t dropped() const { return dropped_; }  ///< proposals, those that were taken among them
-  void propose(ParamState lights, Solved solved);                 ///< lights that were found elsewhere
+  void propose(ParamState lights, Solved solved);  ///< lights that were found elsewhere
   /// What became of each stroke of the proposal; kept in solved(). errors kCancelled as soon as go_on says false.
   Result<const Verdict*> judge(const std::function<bool()>& go_on = {});
   Result<void> apply_remedy(std::uint32_t stroke);  ///< what the verdict advises; errors kNothingToDo

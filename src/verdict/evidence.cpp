@@ -71,7 +71,8 @@ bool Evidence::helps_all(int region, const Trial& trial) const {
 }
 
 Result<Reached> Evidence::alone(int region, const ParamState& start, bool thorough) {
-  const double enough = 0.15 * shortfall(region).wished + 0.002;
+  const double wished = shortfall(region).wished;
+  const double enough = 0.15 * wished + std::min(0.002, 0.05 * wished);
   return search_.search({start}, wish(region), thorough ? kThorough : kVariants, enough);
 }
 

@@ -9,6 +9,8 @@
 namespace luminist {
 namespace {
 
+constexpr float kChange = 1e-3F;  // of linear RGB: paint that changes less asks for nothing
+
 /// FNV-1a: equal sets get equal ids, so that engines recognize them.
 std::uint64_t pixel_hash(std::span<const std::uint32_t> pixels) {
   std::uint64_t hash = 0xCBF29CE484222325ULL;
@@ -21,7 +23,7 @@ std::string object_changed(const StrokeRegion& region, const SurfaceBuffer& surf
   std::map<std::uint32_t, std::pair<double, std::size_t>> change;  // and pixels
   for (const std::uint32_t pixel : region.pixels) {
     auto& [sum, pixels] = change[surface.object[pixel]];
-    sum += glm::distance(target.color.rgb(pixel), target.before.rgb(pixel));
+    sum += target.importance.data[pixel] * glm::distance(target.color.rgb(pixel), target.before.rgb(pixel));
     ++pixels;
   }
   const auto most =
@@ -36,6 +38,26 @@ std::vector<std::uint32_t> evenly(const std::vector<std::uint32_t>& pixels, std:
   std::vector<std::uint32_t> drawn;
   for (std::size_t k = 0; k < count; ++k) drawn.push_back(pixels[(2 * k + 1) * pixels.size() / (2 * count)]);
   return drawn;
+}
+
+/// Some of the pixels, away from edges where that can be had, with the importance of all.
+void add_samples(const std::vector<std::uint32_t>& pixels, std::size_t count, const std::vector<bool>& edge,
+                 const Target& target, int region, SampledWish& wish) {
+  std::vector<std::uint32_t> inside;
+  double all = 0.0;
+  for (const std::uint32_t pixel : pixels) {
+    all += target.importance.data[pixel];
+    if (!edge[pixel]) inside.push_back(pixel);
+  }
+  double drawn_sum = 0.0;
+  const auto drawn = evenly(inside.size() >= count / 4 + 1 ? inside : pixels, count);
+  for (const std::uint32_t pixel : drawn) drawn_sum += target.importance.data[pixel];
+  for (const std::uint32_t pixel : drawn) {
+    wish.samples.pixels.push_back(pixel);
+    wish.target.push_back(target.color.rgb(pixel));
+    wish.weight.push_back(target.importance.data[pixel] * all / drawn_sum);
+    wish.region.push_back(region);
+  }
 }
 
 void finish(SampledWish& wish) {
@@ -108,20 +130,18 @@ SampledWish sample_regions(const std::vector<StrokeRegion>& regions, const Surfa
   const std::vector<bool> edge = edge_pixels(surface);
   SampledWish wish;
   for (std::size_t r = 0; r < regions.size(); ++r) {
-    std::vector<std::uint32_t> inside;
-    double all = 0.0;
+    std::vector<std::uint32_t> changed, rest;
     for (const std::uint32_t pixel : regions[r].pixels) {
-      all += target.importance.data[pixel];
-      if (!edge[pixel]) inside.push_back(pixel);
+      const bool changes = glm::distance(target.color.rgb(pixel), target.before.rgb(pixel)) > kChange;
+      (changes ? changed : rest).push_back(pixel);
     }
-    double drawn_sum = 0.0;
-    const auto drawn = evenly(inside.size() >= per_region / 4 + 1 ? inside : regions[r].pixels, per_region);
-    for (const std::uint32_t pixel : drawn) drawn_sum += target.importance.data[pixel];
-    for (const std::uint32_t pixel : drawn) {
-      wish.samples.pixels.push_back(pixel);
-      wish.target.push_back(target.color.rgb(pixel));
-      wish.weight.push_back(target.importance.data[pixel] * all / drawn_sum);
-      wish.region.push_back(static_cast<int>(r));
+    const bool few = !changed.empty() && changed.size() < rest.size();
+    const std::size_t half = std::min(per_region / 2, changed.size());
+    if (few && half > 0) {
+      add_samples(changed, half, edge, target, static_cast<int>(r), wish);
+      add_samples(rest, per_region - half, edge, target, static_cast<int>(r), wish);
+    } else {
+      add_samples(regions[r].pixels, per_region, edge, target, static_cast<int>(r), wish);
     }
   }
   finish(wish);

@@ -22,13 +22,14 @@ std::vector<StrokeRegion> stroke_regions(const SurfaceBuffer& surface, const Tar
 
 /// How a region's wish and its fulfilment compare, in linear RGB, means over its pixels by importance.
 struct Shortfall {
-  double wished = 0.0;               ///< |T - before|
-  double missed = 0.0;               ///< |T - R|
-  double light = 0.0;                ///< of the missed: where light is lacking, sum over channels of max(0, T - R)
-  double dark = 0.0;                 ///< where there is too much, sum over channels of max(0, R - T)
-  double scale = 0.0;                ///< |T|: what the eye compares with
-  double missed_where_wished = 0.0;  ///< as missed and scale, by importance times |T - before|: paint that changes
-  double scale_where_wished = 0.0;   ///< half of what it covers is as plain to see as paint that changes all
+  double wished = 0.0;  ///< |T - before|
+  double missed = 0.0;  ///< |T - R|
+  double light = 0.0;   ///< of the missed: where light is lacking, sum over channels of max(0, T - R)
+  double dark = 0.0;    ///< where there is too much, sum over channels of max(0, R - T)
+  double scale = 0.0;   ///< |T|: what the eye compares with
+  // By importance times |T - before|: where paint changes a part of what it covers, the rest must not hide it.
+  double missed_where_wished = 0.0;  ///< |T - R|
+  double scale_where_wished = 0.0;   ///< |T|
 
   /// Missed so little that nobody minds: 35 % of what was wished, which is about what strokes of a round brush differ
   /// from a light's own gradients, or a change that is hard to see.
@@ -57,7 +58,8 @@ struct SampledWish {
 };
 
 /// At most `per_region` pixels of each region, evenly over it, away from silhouettes and creases where that can be had;
-/// a region keeps its share of all importance; the weights sum to 1.
+/// if paint changes less than half of it, half of them where it does. A region keeps its share of all importance; the
+/// weights sum to 1.
 SampledWish sample_regions(const std::vector<StrokeRegion>& regions, const SurfaceBuffer& surface, const Target& target,
                            std::size_t per_region);
 

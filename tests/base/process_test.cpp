@@ -4,6 +4,7 @@
 
 #include <csignal>
 #include <random>
+#include <thread>
 
 #include "support/fixtures.h"
 
@@ -136,6 +137,36 @@ TEST(ChildProcess, DoesNotWaitOnceItIsGone) {
   EXPECT_EQ(answer_of(child, "one"), "last\n");
   EXPECT_EQ(answer_of(child, "two"), "");
   EXPECT_FALSE(child.waits());
+}
+
+TEST(ChildProcess, DoesNotWaitOnceItSaysWhatNobodyAsked) {
+  LUM_ASSERT_OK(ChildProcess child,
+                shell_process("read -r line; echo heard; read -r go < /dev/null; sleep 0.1; echo more; exec sleep 60"));
+  EXPECT_EQ(answer_of(child, "one"), "heard\n");
+  for (int i = 0; i < 1000 && child.waits(); ++i) std::this_thread::sleep_for(20ms);
+  EXPECT_FALSE(child.waits());
+}
+
+TEST(ChildProcess, GetsAllOfItsInputEvenIfItAnswersBefore) {
+  LUM_ASSERT_OK(ChildProcess child, shell_process("read -r line; echo early; cat > /dev/null"));
+  const std::string large(3'000'000, 'x');  // more than the socket holds: it is given after the answer
+  std::string answer;
+  const auto enough = [&answer](std::string_view bytes) {
+    answer += bytes;
+    return true;
+  };
+  EXPECT_TRUE(child.ask({"one\n", large}, enough, 20s));
+  EXPECT_EQ(answer, "early\n");
+  LUM_ASSERT_OK(ChildProcess deaf, shell_process("read -r line; echo early; exec sleep 60"));
+  EXPECT_FALSE(deaf.ask({"one\n", large}, enough, 200ms));
+  EXPECT_TRUE(deaf.end(20s).timed_out);
+}
+
+TEST(ChildProcess, SaysOnlyWhatItSaidAboutTheLastQuestion) {
+  LUM_ASSERT_OK(ChildProcess child, shell_process("read -r a; echo old >&2; echo 1; read -r b; exit 4"));
+  EXPECT_EQ(answer_of(child, "one"), "1\n");
+  EXPECT_EQ(answer_of(child, "two"), "");
+  EXPECT_EQ(child.end(20s).description(), "ended with status 4");
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 
 #include "base/files.h"
 #include "image_io/image_io.h"
+#include "image_io/packet.h"
 #include "support/fixtures.h"
 
 namespace luminist {
@@ -223,10 +224,15 @@ TEST(HostileImage, MayTakeOverARunButNotTheNext) {
   const TemporaryFolder folder;
   LUM_ASSERT_OK(const std::string png, encode_png(Image(3, 2, 3, 1.0F), Encoding::kSrgb));
   const std::string real = (std::filesystem::read_symlink("/proc/self/exe").parent_path() / "luminist-image").string();
-  const std::string go = folder.file("go"), said = folder.file("said");
-  // Something of the first run stays behind and speaks between it and the next.
-  const FakeHelper helper("[ -e '" + go + "' ] || ( while [ ! -e '" + go + "' ]; do sleep 0.02; done; " +
-                          "head -c 100 /dev/zero; touch '" + said + "' ) &\nexec '" + real + "' \"$@\"\n");
+  const std::string go = folder.file("go"), said = folder.file("said"), lie = folder.file("lie");
+  PacketHeader forged;
+  forged.width = forged.height = forged.channels = 1;
+  forged.sample = Sample::kByte;
+  forged.data_size = 1;
+  LUM_EXPECT_OK(write_file_atomic(lie, std::string(reinterpret_cast<const char*>(&forged), sizeof(forged)) + "x"));
+  // Something of the first run stays behind and answers between it and the next.
+  const FakeHelper helper("[ -e '" + go + "' ] || ( while [ ! -e '" + go + "' ]; do sleep 0.02; done; " + "cat '" +
+                          lie + "'; touch '" + said + "' ) &\nexec '" + real + "' \"$@\"\n");
   LUM_ASSERT_OK(const Image first, decode_image(png, "first.png", Encoding::kAuto));
   EXPECT_EQ(first.width, 3);
   std::ofstream(go) << "go";

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <set>
+#include <span>
 
 #include "solve/fake_renderer.h"
 
@@ -79,6 +80,24 @@ TEST_F(StrokeRegionTest, PaintThatChangesAFewOfItsPixelsIsNotMetByTheOthers) {
   EXPECT_NEAR(unchanged.scale_where_wished, 0.9 * std::sqrt(3.0), 1e-5);
   EXPECT_FALSE(unchanged.met());
   EXPECT_TRUE(shortfall(region, target_, target_.color).met());
+}
+
+TEST_F(StrokeRegionTest, PaintThatChangesAFewOfItsPixelsIsSampledWhereItDoes) {
+  const StrokeRegion region = stroke_regions(fake_.surface(), target_)[1];
+  const std::size_t changed = region.pixels.size() / 20;
+  ASSERT_GT(changed, 2U);
+  const std::span middle = std::span(region.pixels).subspan(region.pixels.size() / 2, changed);
+  for (const std::uint32_t pixel : middle) target_.color.set_rgb(pixel, Vec3(3.0F));
+  const SampledWish wish = only_region(sample_regions({region}, fake_.surface(), target_, 40), 0);
+  double share = 0.0;
+  std::size_t drawn = 0;
+  for (std::size_t i = 0; i < wish.weight.size(); ++i) {
+    if (wish.target[i] != Vec3(3.0F)) continue;
+    share += wish.weight[i];
+    ++drawn;
+  }
+  EXPECT_GE(drawn, 3 * changed / 4);  // but for those at an edge; evenly drawn it would be a twentieth of 40
+  EXPECT_NEAR(share, static_cast<double>(changed) / static_cast<double>(region.pixels.size()), 1e-9);
 }
 
 TEST_F(StrokeRegionTest, AStrokeIsCalledAfterWhatItChangesNotWhatItCovers) {

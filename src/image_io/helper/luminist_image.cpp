@@ -314,19 +314,29 @@ int end_as(int status) {
   return 1;
 }
 
+/// In the process of a run.
+[[noreturn]] void run_for(pid_t server) {
+  ::setpgid(0, 0);
+  ::prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (::getppid() != server) std::_Exit(1);  // it was gone before
+  std::_Exit(answer_run());  // the libraries behind OpenImageIO take their time, and crash, while going down
+}
+
 /// Loading the libraries takes longer than most images: they are loaded once, and each run begins from there.
 int serve() {
   limit_resources();
+  std::signal(SIGCHLD, SIG_DFL);  // ignored, the end of a run would be nobody's to see
+  const pid_t server = ::getpid();
   while (wait_for_run()) {
     const pid_t run = ::fork();
     if (run < 0) return 1;
-    if (run == 0) {
-      ::prctl(PR_SET_PDEATHSIG, SIGKILL);
-      std::_Exit(answer_run());  // the libraries behind OpenImageIO take their time, and crash, while going down
-    }
+    if (run == 0) run_for(server);
     int status = 0;
-    while (::waitpid(run, &status, 0) < 0 && errno == EINTR) {
+    pid_t ended = -1;
+    while ((ended = ::waitpid(run, &status, 0)) < 0 && errno == EINTR) {
     }
+    ::kill(-run, SIGKILL);  // what it left behind
+    if (ended != run) return 1;
     if (status != 0) return end_as(status);
   }
   return 0;
