@@ -235,7 +235,7 @@ Result<void> FastSolver::look_again() {
   }
   if (scouted_->cost > kClear * near_start_ && scouts_ < kScouts && idle_scouts_ < kIdleScouts &&
       !free_blocks_.empty()) {
-    if (banded_ && gain > kGlanceGain) LUM_TRY_VOID(glance(*scouted_));
+    if (gain > kGlanceGain) LUM_TRY_VOID(glance(*scouted_));
     if (good_enough()) {
       phase_ = Phase::kDone;
       return {};

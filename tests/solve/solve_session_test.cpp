@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "render/metric.h"
@@ -73,6 +74,24 @@ TEST(SolveSession, RecoversHiddenLightsOfEighteenDegreesOfFreedom) {
     found += report.epsilon <= options.until ? 1 : 0;
   }
   EXPECT_GE(found, 11);  // of 12; one may end in a local minimum
+}
+
+TEST(SolveSession, ShowsWhatItsFirstDescentsFindBeforeItLooksFurther) {
+  FakeRenderer renderer(48, 48);
+  Task task{renderer.empty_state(), {}};
+  ParamState wanted = task.start;
+  for (const std::uint64_t seed : {1U, 2U}) {
+    task.start.rig.lights.push_back(hidden_light(renderer, "light " + std::to_string(seed), seed));
+    wanted.rig.lights.push_back(hidden_light(renderer, "light " + std::to_string(seed), seed + 10));
+  }
+  task.target = renderer.target_of(wanted, task.start);
+  for (std::size_t i = 0; i < task.target.color.data.size(); i += 2) task.target.color.data[i] += 0.2F;  // by no light
+  LUM_ASSERT_OK(SolveSession session, SolveSession::create(renderer, task.start, task.target, {.restarts = 0}));
+  const SolveReport report = run(session);
+  const auto better = std::find_if(report.convergence.begin(), report.convergence.end(),
+                                   [&](const auto& point) { return point.epsilon < report.epsilon_start; });
+  ASSERT_NE(better, report.convergence.end());
+  EXPECT_LT(better->render_equivalents, report.render_equivalents / 3.0);
 }
 
 TEST(SolveSession, TheSimplexRecoversColourAndDirection) {
