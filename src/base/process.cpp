@@ -52,6 +52,7 @@ Result<pid_t> spawn(const std::vector<std::string>& arguments, std::array<Descri
   sigset_t defaults, unblocked;
   ::sigemptyset(&unblocked);
   ::sigemptyset(&defaults);
+  // SIGCHLD among them: a child that ignores it cannot see how its own children end.
   for (const int s : {SIGPIPE, SIGALRM, SIGTERM, SIGXFSZ, SIGCHLD}) ::sigaddset(&defaults, s);
   ::posix_spawnattr_setsigdefault(&attributes, &defaults);
   ::posix_spawnattr_setsigmask(&attributes, &unblocked);

@@ -12,7 +12,7 @@ enum class HelperTask : std::uint32_t {
   kDecode = 1,     ///< text: name; data: a file -> header with size; text: our attributes; samples
   kEncodeExr = 2,  ///< text: attributes; data: float samples -> a file
   kEncodePng = 3,  ///< text: attributes; data: 8-bit samples -> a file
-  kEndOfRun = 4,   ///< nothing more for now
+  kEndOfRun = 4,   ///< no answer: the next packet begins another run
 };
 inline constexpr const char* kServeWord = "serve";  ///< the helper's argument
 inline constexpr int kIdleSeconds = 60;             ///< after which it ends

@@ -177,6 +177,10 @@ TEST(HostileImage, MayHaveAnyBytesChanged) {
   }
 }
 
+std::string real_helper() {
+  return (std::filesystem::read_symlink("/proc/self/exe").parent_path() / "luminist-image").string();
+}
+
 /// Puts another program in the helper's place while it lives.
 class FakeHelper {
  public:
@@ -205,7 +209,7 @@ TEST(HostileImage, ThatKillsTheHelperIsNamed) {
 TEST(HostileImage, ThatKillsTheHelperDoesNotSpoilTheOthers) {
   const TemporaryFolder folder;
   LUM_ASSERT_OK(const std::string png, encode_png(Image(3, 2, 3, 1.0F), Encoding::kSrgb));
-  const std::string real = (std::filesystem::read_symlink("/proc/self/exe").parent_path() / "luminist-image").string();
+  const std::string real = real_helper();
   const std::string mark = folder.file("died");
   const FakeHelper helper("[ -e '" + mark + "' ] && exec '" + real + "' \"$@\"\ntouch '" + mark + "'\nexit 9\n");
   const std::vector<ImageSource> sources{{"killer", png, Encoding::kAuto}, {"fine", png, Encoding::kAuto}};
@@ -223,7 +227,7 @@ TEST(HostileImage, MayTakeOverTheHelperButNotItsMaster) {
 TEST(HostileImage, MayTakeOverARunButNotTheNext) {
   const TemporaryFolder folder;
   LUM_ASSERT_OK(const std::string png, encode_png(Image(3, 2, 3, 1.0F), Encoding::kSrgb));
-  const std::string real = (std::filesystem::read_symlink("/proc/self/exe").parent_path() / "luminist-image").string();
+  const std::string real = real_helper();
   const std::string go = folder.file("go"), said = folder.file("said"), lie = folder.file("lie");
   PacketHeader forged;
   forged.width = forged.height = forged.channels = 1;
@@ -245,7 +249,7 @@ TEST(HostileImage, MayTakeOverARunButNotTheNext) {
 
 TEST(ImageHelper, IsStartedOnceAndAgainIfItIsGone) {
   const TemporaryFolder folder;
-  const std::string real = (std::filesystem::read_symlink("/proc/self/exe").parent_path() / "luminist-image").string();
+  const std::string real = real_helper();
   const std::string starts = folder.file("starts");
   const FakeHelper helper("echo $$ >> '" + starts + "'\nexec '" + real + "' \"$@\"\n");
   for (int i = 0; i < 3; ++i) {

@@ -10,7 +10,7 @@
 
 namespace luminist {
 
-/// How many of so many problems a test does: the sanitizers take twenty times as long for each.
+/// How many of so many problems a test does: under sanitizers a twelfth, because each takes many times as long there.
 constexpr std::uint64_t fewer_sanitized(std::uint64_t problems) {
 #ifdef __SANITIZE_ADDRESS__
   return (problems + 11) / 12;

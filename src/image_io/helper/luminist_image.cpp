@@ -325,7 +325,6 @@ int end_as(int status) {
 /// Loading the libraries takes longer than most images: they are loaded once, and each run begins from there.
 int serve() {
   limit_resources();
-  std::signal(SIGCHLD, SIG_DFL);  // ignored, the end of a run would be nobody's to see
   const pid_t server = ::getpid();
   while (wait_for_run()) {
     const pid_t run = ::fork();
