@@ -11,8 +11,8 @@
 #include "cli/proxy_words.h"
 #include "cli/shot_words.h"
 #include "image_io/image_io.h"
-#include "prep/repair.h"
 #include "prep/unwrap.h"
+#include "surface/repair.h"
 
 namespace luminist {
 namespace {

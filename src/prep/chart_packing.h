@@ -2,7 +2,7 @@
 // prep/chart_packing.h -- flat charts side by side in the unit square.
 #include <vector>
 
-#include "prep/surface_sides.h"
+#include "surface/surface_sides.h"
 
 namespace luminist {
 

@@ -2,7 +2,7 @@
 // prep/charts.h -- a surface cut into regions that can be flattened with little distortion.
 #include <vector>
 
-#include "prep/surface_sides.h"
+#include "surface/surface_sides.h"
 
 namespace luminist {
 

@@ -2,7 +2,7 @@
 // prep/curvature.h -- in which direction a surface bends most, as strokes follow it around a form.
 #include <vector>
 
-#include "prep/surface_sides.h"
+#include "surface/surface_sides.h"
 
 namespace luminist {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <utility>
 
-#include "prep/outline_hull.h"
 #include "raster/deep_framebuffer.h"
+#include "surface/outline_hull.h"
 
 namespace luminist {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "base/check.h"
 #include "base/files.h"
-#include "prep/shadow_caster.h"
 #include "prep/stroke_mesh.h"
+#include "surface/shadow_caster.h"
 
 namespace luminist {
 namespace {

@@ -41,7 +41,7 @@ class MeshBuffers {
   static Result<MeshBuffers> create(Device& device, const Scene& scene, bool strokes = false);
 
   [[nodiscard]] const std::vector<MeshDraw>& draws() const { return draws_; }  ///< [objects]
-  /// What blocks light: the same, but of shadow meshes for objects that have one (prep/shadow_caster.h), up to two
+  /// What blocks light: the same, but of shadow meshes for objects that have one (surface/shadow_caster.h), up to two
   /// each.
   [[nodiscard]] const std::vector<MeshDraw>& shadow_draws() const { return shadow_draws_; }
   [[nodiscard]] const Box& bounds() const { return bounds_; }                ///< world, with backdrops; of what is seen

@@ -5,7 +5,7 @@
 #include <span>
 #include <utility>
 
-#include "prep/outline_hull.h"
+#include "surface/outline_hull.h"
 
 namespace luminist {
 namespace {

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "base/check.h"
-#include "prep/shadow_caster.h"
 #include "rays/triangle_geometry.h"
+#include "surface/shadow_caster.h"
 
 namespace luminist {
 namespace {

@@ -17,8 +17,8 @@ struct Segment {
   Vec3 to;
 };
 
-/// The triangles of a scene that block light, indexed; those of shadow meshes as prep/shadow_caster.h says, for light
-/// that comes from `from`. Copies what it needs. Movable. thread any, const calls are concurrent.
+/// The triangles of a scene that block light, indexed; those of shadow meshes as surface/shadow_caster.h says, for
+/// light that comes from `from`. Copies what it needs. Movable. thread any, const calls are concurrent.
 class RaySceneImpl;
 class RayScene {
  public:

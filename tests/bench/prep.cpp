@@ -11,9 +11,9 @@
 
 #include "prep/curvature.h"
 #include "prep/nasty_meshes.h"
-#include "prep/repair.h"
 #include "prep/unwrap.h"
 #include "scene/scene.h"
+#include "surface/repair.h"
 
 namespace luminist {
 namespace {

@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include "prep/nasty_meshes.h"
-#include "prep/repair.h"
-#include "prep/shadow_caster.h"
 #include "prep/triangle_tree.h"
 #include "raster/mesh_scenes.h"
+#include "surface/repair.h"
+#include "surface/shadow_caster.h"
 
 namespace luminist {
 namespace {

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "prep/nasty_meshes.h"
-#include "prep/repair.h"
 #include "raster/mesh_scenes.h"
+#include "surface/repair.h"
 
 namespace luminist {
 namespace {

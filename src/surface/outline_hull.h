@@ -1,5 +1,6 @@
 #pragma once
-// prep/outline_hull.h -- the surface that outlines are made of: a copy of a mesh that can be inflated without tearing.
+// surface/outline_hull.h -- the surface that outlines are made of: a copy of a mesh that can be inflated without
+// tearing.
 #include <array>
 #include <cstdint>
 #include <vector>

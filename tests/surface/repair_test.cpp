@@ -1,4 +1,4 @@
-#include "prep/repair.h"
+#include "surface/repair.h"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,6 @@
 #include <set>
 #include <utility>
 
-#include "prep/half_edges.h"
 #include "raster/mesh_scenes.h"
 
 namespace luminist {
@@ -52,14 +51,6 @@ void expect_manifold(const WeldedMesh& surface) {
     }
     EXPECT_TRUE(rest.empty()) << "position " << at << " has several fans";
   }
-  // And as a library that knows only manifolds sees it.
-  const QuietOpenMesh quiet;
-  TriangleMesh half_edges;
-  std::vector<std::uint32_t> own(surface.positions.size());
-  for (std::uint32_t i = 0; i < own.size(); ++i) own[i] = i;
-  const std::span<const std::array<std::uint32_t, 3>> triangles(surface.triangles);
-  const std::size_t fault = add_faces(half_edges, surface.positions, own, triangles);
-  EXPECT_EQ(fault, kNoFault);
 }
 
 double volume_of(const WeldedMesh& surface) {

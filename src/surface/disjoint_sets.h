@@ -1,5 +1,5 @@
 #pragma once
-// prep/disjoint_sets.h -- what belongs together, found pair by pair.
+// surface/disjoint_sets.h -- what belongs together, found pair by pair.
 #include <cstddef>
 #include <cstdint>
 #include <numeric>

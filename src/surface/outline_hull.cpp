@@ -1,11 +1,11 @@
-#include "prep/outline_hull.h"
+#include "surface/outline_hull.h"
 
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <utility>
 
-#include "prep/surface_sides.h"
+#include "surface/surface_sides.h"
 
 namespace luminist {
 namespace {

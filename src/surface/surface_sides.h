@@ -1,5 +1,5 @@
 #pragma once
-// prep/surface_sides.h -- what the triangles of a repaired surface are and what they share with their neighbours.
+// surface/surface_sides.h -- what the triangles of a repaired surface are and what they share with their neighbours.
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -10,8 +10,8 @@
 #include <glm/ext/vector_double3.hpp>
 #include <glm/geometric.hpp>
 
-#include "prep/disjoint_sets.h"
-#include "prep/repair.h"
+#include "surface/disjoint_sets.h"
+#include "surface/repair.h"
 
 namespace luminist {
 

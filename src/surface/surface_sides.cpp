@@ -1,4 +1,4 @@
-#include "prep/surface_sides.h"
+#include "surface/surface_sides.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 #pragma once
-// prep/shadow_caster.h -- which sides of a shadow mesh block light, so that it never darkens what it stands in for.
+// surface/shadow_caster.h -- which sides of a shadow mesh block light, so that it never darkens what it stands in for.
 #include <array>
 #include <cstdint>
 #include <vector>

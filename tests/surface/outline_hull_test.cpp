@@ -5,9 +5,9 @@
 #include <random>
 #include <utility>
 
-#include "prep/outline_hull.h"
-#include "prep/repair.h"
 #include "raster/mesh_scenes.h"
+#include "surface/outline_hull.h"
+#include "surface/repair.h"
 
 namespace luminist {
 namespace {

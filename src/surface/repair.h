@@ -1,5 +1,6 @@
 #pragma once
-// prep/repair.h -- the surface of a mesh as it comes, made a manifold: what unwrapping, outlines and half edges need.
+// surface/repair.h -- the surface of a mesh as it comes, made a manifold: what unwrapping, outlines and half edges
+// need.
 #include <array>
 #include <cstdint>
 #include <vector>

@@ -1,4 +1,4 @@
-#include "prep/repair.h"
+#include "surface/repair.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 
 #include <glm/ext/vector_double3.hpp>
 
-#include "prep/disjoint_sets.h"
+#include "surface/disjoint_sets.h"
 
 namespace luminist {
 namespace {

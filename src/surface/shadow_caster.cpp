@@ -1,12 +1,12 @@
-#include "prep/shadow_caster.h"
+#include "surface/shadow_caster.h"
 
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "base/check.h"
-#include "prep/repair.h"
-#include "prep/surface_sides.h"
+#include "surface/repair.h"
+#include "surface/surface_sides.h"
 
 namespace luminist {
 namespace {
