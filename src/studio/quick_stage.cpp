@@ -85,15 +85,22 @@ double QuickStage::pixels() const {
   return static_cast<double>(stage_->renderer->surface().pixels());
 }
 
-/// The middle of a few events: one that had a picture to draw counts as much as one that had none.
+/// The hand's time counts, not the number of rounds: long ones, in which a light moves, answer most of what it did.
 void QuickSize::note(double seconds, double pixels) {
-  constexpr std::size_t kEvents = 9;
-  seconds_.push_back(seconds);
-  if (seconds_.size() < kEvents) return;
-  std::nth_element(seconds_.begin(), seconds_.begin() + 6, seconds_.end());  // two of three are quicker
-  const double measured = std::max(seconds_[6], 1e-4);
-  seconds_.clear();
-  best_ = std::clamp(pixels * kSeconds / measured, kLeast, kMost);
+  constexpr std::size_t kFewest = 5;
+  constexpr std::size_t kMostRounds = 40;
+  constexpr double kShare = 2.0 / 3.0;         // of the hand's time was answered so quickly
+  constexpr double kLongest = 4.0 * kSeconds;  // one that is longer waited for something else
+  rounds_.push_back({std::min(seconds, kLongest), std::clamp(seconds, 1e-4, kLongest) / pixels});
+  if (rounds_.size() > kMostRounds) rounds_.pop_front();
+  if (rounds_.size() < kFewest) return;
+  std::vector<Round> sorted(rounds_.begin(), rounds_.end());
+  std::ranges::sort(sorted, {}, &Round::each);
+  double left = 0.0;
+  for (const Round& round : sorted) left += kShare * round.seconds;
+  auto round = sorted.begin();
+  while (round + 1 != sorted.end() && (left -= round->seconds) > 0.0) ++round;
+  best_ = std::clamp(kSeconds / round->each, kLeast, kMost);
 }
 
 Result<std::unique_ptr<QuickStage>> QuickStage::open(Device& device, const AssetRoots& roots, const Shot& shot,

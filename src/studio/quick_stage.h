@@ -1,6 +1,7 @@
 #pragma once
 // studio/quick_stage.h -- the same shot with fewer pixels, for pictures while a brush moves on a slow machine.
 #include <array>
+#include <deque>
 #include <memory>
 #include <string>
 #include <vector>
@@ -11,28 +12,33 @@
 namespace luminist {
 
 /// How many pixels a picture may have that is drawn and solved for while the brush moves: as many as this machine
-/// makes in time, by what events took.
+/// makes in time, by what rounds took. A round answers all that the hand did since the one before.
 class QuickSize {
  public:
   static constexpr double kMost = 80'000.0;   ///< about 320 x 240
+  static constexpr double kFirst = 32'000.0;  ///< before anything was measured: a quick answer first
   static constexpr double kLeast = 12'800.0;  ///< about 130 x 98
-  /// What an event may take: two of them, the one that runs and the next, are an answer within 0.15 seconds.
-  static constexpr double kSeconds = 0.06;
+  /// What a round may take: two of them, the one that runs and the next, are an answer within 0.15 seconds.
+  static constexpr double kSeconds = 0.07;
 
-  /// An event took so long at `pixels`.
+  /// A round took so long at `pixels`.
   void note(double seconds, double pixels);
-  /// As many as suit, by the last events.
+  /// As many as suit, by the last rounds.
   [[nodiscard]] double pixels() const { return best_; }
 
  private:
-  double best_ = kMost;
-  std::vector<double> seconds_;
+  struct Round {
+    double seconds = 0.0;
+    double each = 0.0;  ///< seconds a pixel
+  };
+  double best_ = kFirst;
+  std::deque<Round> rounds_;  ///< the last ones, of several strokes
 };
 
 class QuickStage {
  public:
   /// The sizes that are worth having, the largest first.
-  static constexpr std::array<double, 3> kSizes = {QuickSize::kMost, 32'000.0, QuickSize::kLeast};
+  static constexpr std::array<double, 3> kSizes = {QuickSize::kMost, QuickSize::kFirst, QuickSize::kLeast};
   /// Whether a shot has more pixels than can be followed without a graphics processor.
   static bool helps(const Shot& shot);
   /// device outlives it. errors those of open_stage(). cost seconds.
