@@ -16,6 +16,7 @@ constexpr int kManyPaths = 24'000;    // of all cells: where a round needs more,
 constexpr int kMorePaths = 4;         // times those of the round before
 constexpr int kMostPaths = 256;       // a pixel
 constexpr int kPixels = 3000;         // that a descent looks at
+constexpr int kPixelsAhead = 1500;    // ...of a look ahead
 constexpr int kMostWork = 6'000'000;  // paths of a batch of slopes
 constexpr int kSlopeBatches = 4;      // of one descent
 constexpr int kJudges = 2;            // times the user's paths, for whole pictures
@@ -104,8 +105,9 @@ Result<void> Refinement::prepare() {
   auto descent = std::make_unique<Descent>();
   const std::uint64_t seed = progress_->options().seed + 100 + static_cast<std::uint64_t>(round_);
   descent->level = {sampler.cut(kPixels, 1, seed), {0.0F, 0.0F, 0.0F, 8}, 0.006, 0.005, kSlopeBatches};
-  const SampleCells& cells = descent->level.cells;
+  SampleCells& cells = descent->level.cells;
   if (round_ == 0 && cells.size() * given_paths() * kMorePaths <= kManyPaths) round_ = 1;
+  if (round_ == 0) cells = sampler.cut(kPixelsAhead, 1, seed);
   const int paths = paths_of(round_);
   const ParamState state = with_paths(best_, paths, false);
   LUM_TRY(descent->parts, PictureParts::create(*renderer_, state, cells.samples));
