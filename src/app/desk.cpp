@@ -169,10 +169,10 @@ void perform(Desk& desk, Deed deed, int digit) {
   StudioThread& studio = *desk.studio;
   switch (deed) {
     case Deed::kUndo:
-      return studio.act(
+      return studio.act_in_series(
           "undo", [](Session& session) { return session.undo(); }, Workbench::After::kFollow);
     case Deed::kRedo:
-      return studio.act(
+      return studio.act_in_series(
           "redo", [](Session& session) { return session.redo(); }, Workbench::After::kFollow);
     case Deed::kSave:
       return save(desk);

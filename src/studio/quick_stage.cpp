@@ -85,22 +85,29 @@ double QuickStage::pixels() const {
   return static_cast<double>(stage_->renderer->surface().pixels());
 }
 
-/// The hand's time counts, not the number of rounds: long ones, in which a light moves, answer most of what it did.
-void QuickSize::note(double seconds, double pixels) {
-  constexpr std::size_t kFewest = 5;
-  constexpr std::size_t kMostRounds = 40;
-  constexpr double kShare = 2.0 / 3.0;         // of the hand's time was answered so quickly
-  constexpr double kLongest = 4.0 * kSeconds;  // one that is longer waited for something else
-  rounds_.push_back({std::min(seconds, kLongest), std::clamp(seconds, 1e-4, kLongest) / pixels});
-  if (rounds_.size() > kMostRounds) rounds_.pop_front();
+/// The hand's time counts, not the number of rounds: long ones, in which a light moves, answer most of what it did. The
+/// longest of all compiled something, or waited for another program.
+void QuickSize::note(double fixed, double growing, double pixels) {
+  constexpr std::size_t kFewest = 6;
+  constexpr double kMemory = 3.0;       // seconds of the hand
+  constexpr double kShare = 2.0 / 3.0;  // of its time was answered so quickly
+  const double left_for_pixels = std::max(kSeconds - fixed, 0.2 * kSeconds);
+  rounds_.push_back({fixed + growing, pixels * left_for_pixels / std::max(growing, 1e-4)});
+  double all = 0.0;
+  for (const Round& round : rounds_) all += round.seconds;
+  for (; rounds_.size() > kFewest && all - rounds_.front().seconds > kMemory; rounds_.pop_front()) {
+    all -= rounds_.front().seconds;
+  }
   if (rounds_.size() < kFewest) return;
   std::vector<Round> sorted(rounds_.begin(), rounds_.end());
-  std::ranges::sort(sorted, {}, &Round::each);
-  double left = 0.0;
-  for (const Round& round : sorted) left += kShare * round.seconds;
+  const auto longest = std::ranges::max_element(sorted, {}, &Round::seconds);
+  all -= longest->seconds;
+  sorted.erase(longest);
+  std::ranges::sort(sorted, std::ranges::greater(), &Round::pixels);
+  double left = kShare * all;
   auto round = sorted.begin();
   while (round + 1 != sorted.end() && (left -= round->seconds) > 0.0) ++round;
-  best_ = std::clamp(kSeconds / round->each, kLeast, kMost);
+  best_ = std::clamp(round->pixels, kLeast, kMost);
 }
 
 Result<std::unique_ptr<QuickStage>> QuickStage::open(Device& device, const AssetRoots& roots, const Shot& shot,

@@ -18,27 +18,28 @@ class QuickSize {
   static constexpr double kMost = 80'000.0;   ///< about 320 x 240
   static constexpr double kFirst = 32'000.0;  ///< before anything was measured: a quick answer first
   static constexpr double kLeast = 12'800.0;  ///< about 130 x 98
-  /// What a round may take: two of them, the one that runs and the next, are an answer within 0.15 seconds.
-  static constexpr double kSeconds = 0.07;
+  /// What a round may take: two of them, the one that runs and the next, and what is not counted here are an answer
+  /// within 0.15 s.
+  static constexpr double kSeconds = 0.065;
 
-  /// A round took so long at `pixels`.
-  void note(double seconds, double pixels);
+  /// A round took `fixed` seconds for what is the same at any size, and `growing` for `pixels`.
+  void note(double fixed, double growing, double pixels);
   /// As many as suit, by the last rounds.
   [[nodiscard]] double pixels() const { return best_; }
 
  private:
   struct Round {
     double seconds = 0.0;
-    double each = 0.0;  ///< seconds a pixel
+    double pixels = 0.0;  ///< for which it would have taken kSeconds
   };
   double best_ = kFirst;
-  std::deque<Round> rounds_;  ///< the last ones, of several strokes
+  std::deque<Round> rounds_;  ///< those of the hand's last seconds, of several strokes
 };
 
 class QuickStage {
  public:
-  /// The sizes that are worth having, the largest first.
-  static constexpr std::array<double, 3> kSizes = {QuickSize::kMost, QuickSize::kFirst, QuickSize::kLeast};
+  /// The sizes that are worth having, in the order in which they are opened.
+  static constexpr std::array<double, 3> kSizes = {QuickSize::kFirst, QuickSize::kMost, QuickSize::kLeast};
   /// Whether a shot has more pixels than can be followed without a graphics processor.
   static bool helps(const Shot& shot);
   /// device outlives it. errors those of open_stage(). cost seconds.

@@ -13,6 +13,7 @@ namespace fs = std::filesystem;
 
 constexpr int kTriesToReopen = 3;
 constexpr std::chrono::milliseconds kBetweenSnapshots{40};  // of what goes on by itself
+constexpr std::chrono::milliseconds kBetweenSights{100};    // of a series that goes on
 constexpr std::chrono::seconds kBetweenTrims{10};
 
 /// Pictures come and go by the dozen; what they leave between what stays goes back to the system. cost milliseconds.
@@ -20,6 +21,14 @@ void give_memory_back() {
 #ifdef __GLIBC__
   ::malloc_trim(0);
 #endif
+}
+
+StudioThread::Job with_session(StudioThread::Job job) {
+  return [job = std::move(job)](Workbench& bench) { return bench.has_session() ? job(bench) : Result<void>(); };
+}
+
+StudioThread::Job action(Workbench::Task task, Workbench::After after) {
+  return with_session([task = std::move(task), after](Workbench& bench) { return bench.act(task, after); });
 }
 
 StudioMessage message_of(const Error& error) {
@@ -53,20 +62,12 @@ StudioThread::~StudioThread() {
 void StudioThread::push(Entry entry) {
   {
     const std::lock_guard lock(mutex_);
-    if (!queue_.empty() && queue_.back().kind == entry.kind) {
-      Entry& last = queue_.back();
-      if (entry.kind == Entry::Kind::kPreview) {
-        last.assignments = std::move(entry.assignments);
-        return;
-      }
-      if (entry.kind == Entry::Kind::kFrame) {
-        last.frame = entry.frame;
-        return;
-      }
-      if (entry.kind == Entry::Kind::kExtend) {
-        last.points.insert(last.points.end(), entry.points.begin(), entry.points.end());
-        return;
-      }
+    if (entry.kind != Entry::Kind::kJob && !queue_.empty() && queue_.back().kind == entry.kind) {
+      Entry& last = queue_.back();  // overtaken, but for what the hand drew
+      last.assignments = std::move(entry.assignments);
+      last.frame = entry.frame;
+      last.points.insert(last.points.end(), entry.points.begin(), entry.points.end());
+      return;
     }
     queue_.push_back(std::move(entry));
   }
@@ -82,27 +83,24 @@ void StudioThread::post_patiently(std::string label, Job job) {
 }
 
 void StudioThread::act(std::string label, Workbench::Task task, Workbench::After after) {
-  post(std::move(label), [task = std::move(task), after](Workbench& bench) -> Result<void> {
-    return bench.has_session() ? bench.act(task, after) : Result<void>();
-  });
+  post(std::move(label), action(std::move(task), after));
 }
 
 void StudioThread::act_patiently(std::string label, Workbench::Task task) {
-  post_patiently(std::move(label), [task = std::move(task)](Workbench& bench) -> Result<void> {
-    return bench.has_session() ? bench.act(task) : Result<void>();
-  });
+  post_patiently(std::move(label), action(std::move(task), Workbench::After::kStay));
+}
+
+void StudioThread::act_in_series(std::string label, Workbench::Task task, Workbench::After after) {
+  push({Entry::Kind::kJob, std::move(label), action(std::move(task), after), {}, {}, 0.0, false, true});
 }
 
 void StudioThread::change(std::string label, Workbench::Task task, Workbench::After after) {
-  post(std::move(label), [task = std::move(task), after](Workbench& bench) -> Result<void> {
-    return bench.has_session() ? bench.change(task, after) : Result<void>();
-  });
+  post(std::move(label),
+       with_session([task = std::move(task), after](Workbench& bench) { return bench.change(task, after); }));
 }
 
 void StudioThread::repaint(std::string label, Workbench::Task task) {
-  post(std::move(label), [task = std::move(task)](Workbench& bench) -> Result<void> {
-    return bench.has_session() ? bench.repaint(task) : Result<void>();
-  });
+  post(std::move(label), with_session([task = std::move(task)](Workbench& bench) { return bench.repaint(task); }));
 }
 
 void StudioThread::begin_stroke(Stroke stroke, fs::path folder) {
@@ -288,6 +286,12 @@ void StudioThread::work(Entry entry) {
   attend(result);
 }
 
+/// The next of a series waits, and the last picture is not old.
+bool StudioThread::series_goes_on() const {
+  const std::lock_guard lock(mutex_);
+  return !queue_.empty() && queue_.front().in_series && Clock::now() - published_ < kBetweenSights;
+}
+
 void StudioThread::publish() {
   if (!bench_) return;
   auto snapshot = bench_->snapshot();
@@ -365,8 +369,9 @@ void StudioThread::run() {
     try {
       Entry entry;
       if (take(entry, more || again)) {
+        const bool in_series = entry.in_series;
         work(std::move(entry));
-        publish();
+        if (!in_series || !series_goes_on()) publish();
         more = true;
         continue;
       }

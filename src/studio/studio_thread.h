@@ -53,6 +53,8 @@ class StudioThread {
   void post_patiently(std::string label, Job job);
   void act(std::string label, Workbench::Task task, Workbench::After after = Workbench::After::kStay);
   void act_patiently(std::string label, Workbench::Task task);
+  /// What a held key asks for faster than pictures are made: not every one between is shown.
+  void act_in_series(std::string label, Workbench::Task task, Workbench::After after);
   void change(std::string label, Workbench::Task task, Workbench::After after = Workbench::After::kStay);
   void repaint(std::string label, Workbench::Task task);
   void begin_stroke(Stroke stroke, std::filesystem::path folder);
@@ -99,6 +101,7 @@ class StudioThread {
     std::vector<std::string> assignments;
     double frame = 0.0;
     bool patient = false;
+    bool in_series = false;
   };
   using Clock = std::chrono::steady_clock;
 
@@ -107,6 +110,7 @@ class StudioThread {
   bool open_device();
   void reopen(const std::string& why);
   bool take(Entry& entry, bool more);
+  [[nodiscard]] bool series_goes_on() const;
   void work(Entry entry);
   void attend(const Result<void>& result);
   bool step();

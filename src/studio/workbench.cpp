@@ -54,8 +54,7 @@ Result<void> Workbench::open_project(const fs::path& folder) {
 
 Result<void> Workbench::adopt_session(std::unique_ptr<Session> session) {
   live_painting_.reset();  // it looks at the stage of the session before
-  quick_painting_.reset();
-  quick_stages_.clear();
+  drop_quick_stages();
   canvas_.reset();
   stroke_.reset();
   trial_.reset();
@@ -167,8 +166,7 @@ Result<void> Workbench::act(const Task& task, After after) {
   const std::uint64_t stage = session_->stage().id;
   const auto done = task(*session_);
   if (session_->stage().id != stage) {  // what is small, and what is watched, was of the stage before
-    quick_painting_.reset();
-    quick_stages_.clear();
+    drop_quick_stages();
     style_files_.reset();
     offers_.reset();  // their style blocks may be of another schema
   }

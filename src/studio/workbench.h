@@ -102,6 +102,7 @@ class Workbench : private WorkbenchData {
   Result<void> open_stroke(const Stroke& stroke, const std::filesystem::path& folder);
   Result<void> begin_quick(const Stroke& stroke, const std::filesystem::path& folder);
   [[nodiscard]] const QuickStage& quick_stage() const;
+  void drop_quick_stages();
   Result<void> open_quick();
   Result<void> go_on_quick();
   [[nodiscard]] bool wants_other_quick() const;

@@ -50,7 +50,7 @@ struct WorkbenchData {
   std::unique_ptr<Session> session_;
   std::optional<LivePainting> live_painting_;
   std::optional<Canvas> canvas_;                           ///< for strokes that no light follows, or only a quick one
-  std::vector<std::unique_ptr<QuickStage>> quick_stages_;  ///< of QuickStage::kSizes, as far as they are ready
+  std::vector<std::unique_ptr<QuickStage>> quick_stages_;  ///< those that are ready, the largest first
   QuickSize quick_size_;
   std::optional<LivePainting> quick_painting_;  ///< goes on from stroke to stroke
   const QuickStage* quick_of_ = nullptr;        ///< its stage

@@ -85,7 +85,8 @@ Result<void> Workbench::prepare() {
     unprepared_ = session_->stage().id;  // it fails again, which was told
     return std::move(stage).error();
   }
-  quick_stages_.push_back(std::move(*stage));
+  const auto smaller = [&](const auto& each) { return each->pixels() < (*stage)->pixels(); };
+  quick_stages_.insert(std::ranges::find_if(quick_stages_, smaller), std::move(*stage));
   return {};
 }
 
@@ -101,8 +102,7 @@ Result<bool> Workbench::refresh_style() {
   LUM_TRY_VOID(session_->reload_style());
   style_files_->follow(session_->stage().style);
   live_painting_.reset();
-  quick_painting_.reset();
-  quick_stages_.clear();
+  drop_quick_stages();
   kept_.clear();
   canvas_.reset();
   trial_.reset();

@@ -75,9 +75,17 @@ Result<void> Workbench::open_stroke(const Stroke& stroke, const fs::path& folder
 
 /// The largest that is quick enough, or else the smallest that is ready.
 const QuickStage& Workbench::quick_stage() const {
-  const auto fits = [&](const auto& stage) { return stage->pixels() <= 1.3 * quick_size_.pixels(); };
-  const auto found = std::find_if(quick_stages_.begin(), quick_stages_.end(), fits);
+  constexpr double kNearEnough = 1.3;  // there are three sizes
+  const auto fits = [&](const auto& stage) { return stage->pixels() <= kNearEnough * quick_size_.pixels(); };
+  const auto found = std::ranges::find_if(quick_stages_, fits);
   return found == quick_stages_.end() ? *quick_stages_.back() : **found;
+}
+
+/// With another session, scene or style, rounds take another time, too.
+void Workbench::drop_quick_stages() {
+  quick_painting_.reset();
+  quick_stages_.clear();
+  quick_size_ = {};
 }
 
 /// The hand's canvas and a small painting go on from what is shown.
@@ -86,7 +94,8 @@ Result<void> Workbench::go_on_quick() {
   LUM_TRY_VOID(hand_canvas());
   const ParamState& start = session_->shown();
   constexpr double kMuchTooLarge = 2.0;  // what only does better in another size waits until the hand rests
-  if (quick_painting_ && quick_of_->pixels() <= kMuchTooLarge * quick_size_.pixels()) {
+  const bool much_too_large = quick_painting_ && quick_of_->pixels() > kMuchTooLarge * quick_size_.pixels();
+  if (quick_painting_ && (!much_too_large || quick_of_ == &quick_stage())) {
     quick_painting_->go_on_from(start, waiting_lights(start.rig));
   } else {
     LUM_TRY_VOID(open_quick());
@@ -149,8 +158,7 @@ void Workbench::make_quick_ready() {
   if (ready) return;
   diagnostics_.warn(ready.error().where, ready.error().what);
   unprepared_ = session_->stage().id;  // it would fail again
-  quick_painting_.reset();
-  quick_stages_.clear();
+  drop_quick_stages();
 }
 
 /// What the event took; paint: on a full canvas beside the small one, in seconds, or 0.
@@ -159,7 +167,8 @@ void Workbench::note_event(const LiveEvent& event, double paint) {
   cost_ = paint > 0.0 ? EventCost{paint, event.paint, event.retarget, event.solve, event.picture, snapshot}
                       : EventCost{event.paint, 0.0, event.retarget, event.solve, event.picture, snapshot};
   if (paint > 0.0) {
-    quick_size_.note(cost_.total(), static_cast<double>(quick_painting_->target().color.pixels()));
+    quick_size_.note(cost_.paint + cost_.solve, cost_.preview + cost_.retarget + cost_.picture,
+                     static_cast<double>(quick_painting_->target().color.pixels()));
   } else {
     painted_buffers_.note(event.painted);
   }

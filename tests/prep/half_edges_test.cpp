@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <numeric>
+#include <random>
 #include <span>
 #include <vector>
 
@@ -26,6 +28,20 @@ TEST(HalfEdges, TakeEveryRepairedSurface) {
   for (const test::NamedMesh& nasty : test::nasty_meshes()) {
     const WeldedMesh surface = repair(nasty.mesh).surface;
     EXPECT_EQ(first_fault(surface.positions, surface.triangles), kNoFault) << nasty;
+  }
+}
+
+TEST(HalfEdges, TakeHeapsOfTrianglesOnceTheyAreRepaired) {
+  for (unsigned seed = 0; seed < 40; ++seed) {
+    std::mt19937 random(seed);
+    Mesh heap;
+    const unsigned count = 4 + seed % 9;
+    const auto any = [&] { return static_cast<std::uint32_t>(random() % count); };
+    for (unsigned i = 0; i < count; ++i) heap.positions.emplace_back(random() % 5, random() % 5, random() % 5);
+    for (int i = 0; i < 40; ++i) heap.triangles.push_back({any(), any(), any()});
+    compute_normals(heap, kPi);
+    const WeldedMesh surface = repair(heap).surface;
+    EXPECT_EQ(first_fault(surface.positions, surface.triangles), kNoFault) << "heap " << seed;
   }
 }
 
