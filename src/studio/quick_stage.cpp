@@ -89,15 +89,16 @@ double QuickStage::pixels() const {
 /// longest of all compiled something, or waited for another program.
 void QuickSize::note(double fixed, double growing, double pixels) {
   constexpr std::size_t kFewest = 6;
-  constexpr double kMemory = 3.0;       // seconds of the hand
-  constexpr double kShare = 2.0 / 3.0;  // of its time was answered so quickly
+  constexpr std::size_t kMostRounds = 200;
+  constexpr double kMemory = 3.0;              // seconds of the hand
+  constexpr double kLongest = 4.0 * kSeconds;  // what took longer waited for something else
+  constexpr double kShare = 2.0 / 3.0;         // of its time was answered so quickly
   const double left_for_pixels = std::max(kSeconds - fixed, 0.2 * kSeconds);
-  rounds_.push_back({fixed + growing, pixels * left_for_pixels / std::max(growing, 1e-4)});
+  rounds_.push_back({std::min(fixed + growing, kLongest), pixels * left_for_pixels / std::max(growing, 1e-4)});
   double all = 0.0;
   for (const Round& round : rounds_) all += round.seconds;
-  for (; rounds_.size() > kFewest && all - rounds_.front().seconds > kMemory; rounds_.pop_front()) {
-    all -= rounds_.front().seconds;
-  }
+  const auto is_old = [&] { return rounds_.size() > kMostRounds || all - rounds_.front().seconds > kMemory; };
+  for (; rounds_.size() > kFewest && is_old(); rounds_.pop_front()) all -= rounds_.front().seconds;
   if (rounds_.size() < kFewest) return;
   std::vector<Round> sorted(rounds_.begin(), rounds_.end());
   const auto longest = std::ranges::max_element(sorted, {}, &Round::seconds);

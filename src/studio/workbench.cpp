@@ -55,6 +55,7 @@ Result<void> Workbench::open_project(const fs::path& folder) {
 Result<void> Workbench::adopt_session(std::unique_ptr<Session> session) {
   live_painting_.reset();  // it looks at the stage of the session before
   drop_quick_stages();
+  quick_size_ = {};  // rounds take another time there
   canvas_.reset();
   stroke_.reset();
   trial_.reset();

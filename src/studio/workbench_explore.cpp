@@ -1,4 +1,5 @@
 // The part of a workbench that looks beyond one solve, and at a style's files.
+#include <algorithm>
 #include <utility>
 
 #include <fmt/format.h>
@@ -103,6 +104,7 @@ Result<bool> Workbench::refresh_style() {
   style_files_->follow(session_->stage().style);
   live_painting_.reset();
   drop_quick_stages();
+  quick_size_ = {};
   kept_.clear();
   canvas_.reset();
   trial_.reset();

@@ -81,11 +81,9 @@ const QuickStage& Workbench::quick_stage() const {
   return found == quick_stages_.end() ? *quick_stages_.back() : **found;
 }
 
-/// With another session, scene or style, rounds take another time, too.
 void Workbench::drop_quick_stages() {
   quick_painting_.reset();
   quick_stages_.clear();
-  quick_size_ = {};
 }
 
 /// The hand's canvas and a small painting go on from what is shown.

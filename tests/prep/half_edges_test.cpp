@@ -37,7 +37,7 @@ TEST(HalfEdges, TakeHeapsOfTrianglesOnceTheyAreRepaired) {
     Mesh heap;
     const unsigned count = 4 + seed % 9;
     const auto any = [&] { return static_cast<std::uint32_t>(random() % count); };
-    for (unsigned i = 0; i < count; ++i) heap.positions.emplace_back(random() % 5, random() % 5, random() % 5);
+    for (unsigned i = 0; i < count; ++i) heap.positions.push_back(Vec3{random() % 5, random() % 5, random() % 5});
     for (int i = 0; i < 40; ++i) heap.triangles.push_back({any(), any(), any()});
     compute_normals(heap, kPi);
     const WeldedMesh surface = repair(heap).surface;

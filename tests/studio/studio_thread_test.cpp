@@ -48,6 +48,40 @@ class StudioThreadTest : public MovingSessionTest {
     wake_.notify_one();
   }
 
+  /// A session with that many steps.
+  void take(std::size_t steps) {
+    studio_->act("add a light", [steps](Session& session) -> Result<void> {
+      NewLight plain;
+      plain.from_paint = false;
+      LUM_TRY_VOID(session.add_light(plain));
+      for (std::size_t step = 1; step < steps; ++step) {
+        LUM_TRY_VOID(session.set({fmt::format("ambient/color=0,0,{}", 0.01 * static_cast<double>(step))}));
+      }
+      return {};
+    });
+    ASSERT_TRUE(until([this, steps] { return studio_->latest()->history.undo_steps == steps; }));
+  }
+  /// Takes back that many steps, as a held key does; a step takes so long. returns how many of them were shown.
+  std::size_t undo(std::size_t steps, std::chrono::milliseconds each) {
+    hold();
+    const std::uint64_t before = studio_->latest()->version;
+    for (std::size_t step = 0; step < steps; ++step) {
+      const auto slowly = [each](Session& session) {
+        std::this_thread::sleep_for(each);
+        return session.undo();
+      };
+      studio_->act_in_series("undo", slowly, Workbench::After::kFollow);
+    }
+    std::uint64_t between = before;  // the last version in which there was still something to take back
+    release();
+    EXPECT_TRUE(until([&] {
+      const auto now = studio_->latest();
+      if (now->history.undo_steps > 0) between = now->version;
+      return now->history.undo_steps == 0;
+    })) << "the last one is always shown";
+    return static_cast<std::size_t>(between - before);
+  }
+
   std::unique_ptr<StudioThread> studio_;
   std::mutex mutex_;
   std::condition_variable wake_;
@@ -56,26 +90,15 @@ class StudioThreadTest : public MovingSessionTest {
 
 TEST_F(StudioThreadTest, AHeldKeyDoesNotWaitForAPictureOfEachStep) {
   constexpr std::size_t kSteps = 40;
-  studio_->act("add a light", [](Session& session) -> Result<void> {
-    NewLight plain;
-    plain.from_paint = false;
-    LUM_TRY_VOID(session.add_light(plain));
-    for (std::size_t step = 1; step < kSteps; ++step) {
-      LUM_TRY_VOID(session.set({fmt::format("ambient/color=0,0,{}", 0.01 * static_cast<double>(step))}));
-    }
-    return {};
-  });
-  ASSERT_TRUE(until([this] { return studio_->latest()->history.undo_steps == kSteps; }));
-  hold();
-  const std::uint64_t before = studio_->latest()->version;
-  for (std::size_t step = 0; step < kSteps; ++step) {
-    studio_->act_in_series(
-        "undo", [](Session& session) { return session.undo(); }, Workbench::After::kFollow);
-  }
-  release();
-  ASSERT_TRUE(until([this] { return studio_->latest()->history.undo_steps == 0; })) << "the last one is always shown";
-  EXPECT_LT(studio_->latest()->version - before, kSteps / 2);
+  take(kSteps);
+  EXPECT_LT(undo(kSteps, std::chrono::milliseconds(0)), kSteps / 2);
   EXPECT_EQ(studio_->latest()->history.redo_steps, kSteps);
+}
+
+TEST_F(StudioThreadTest, AHeldKeyShowsSomeOfItsSteps) {
+  constexpr std::size_t kSteps = 10;
+  take(kSteps);
+  EXPECT_GT(undo(kSteps, std::chrono::milliseconds(60)), 2U) << "one of two or three";
 }
 
 }  // namespace
