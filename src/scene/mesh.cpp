@@ -4,35 +4,18 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <numeric>
 #include <tuple>
 
 #include <glm/common.hpp>
 
 #include "base/check.h"
+#include "base/disjoint_sets.h"
 #include "scene/triple_index.h"
 
 namespace luminist {
 namespace {
 
 using DVec3 = glm::dvec3;
-
-/// Disjoint sets of corners with path halving; the smaller index is the root, so the result has no hidden order.
-class CornerSets {
- public:
-  explicit CornerSets(std::size_t size) : parent_(size) { std::iota(parent_.begin(), parent_.end(), 0U); }
-  std::uint32_t find(std::uint32_t i) {
-    while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-    return i;
-  }
-  void join(std::uint32_t a, std::uint32_t b) {
-    a = find(a), b = find(b);
-    if (a != b) parent_[std::max(a, b)] = std::min(a, b);
-  }
-
- private:
-  std::vector<std::uint32_t> parent_;
-};
 
 DVec3 normalized_or_zero(const DVec3& v) {
   const double length = glm::length(v);
@@ -68,7 +51,7 @@ std::uint32_t next_corner(std::uint32_t corner) {
 
 /// Joins the corners of triangles that share a side and bend over it by at most the crease angle.
 void join_across_sides(const Mesh& mesh, const std::vector<std::uint32_t>& welded, const std::vector<DVec3>& faces,
-                       double crease_angle, CornerSets& sets) {
+                       double crease_angle, DisjointSets& sets) {
   constexpr std::size_t kMostNeighbours = 8;  // a side that hundreds of triangles share must not cost their square
   const double least_cosine = std::cos(crease_angle);
   const auto position_of = [&](std::uint32_t corner) { return welded[mesh.triangles[corner / 3][corner % 3]]; };
@@ -175,7 +158,7 @@ void compute_normals(Mesh& mesh, double crease_angle) {
   const std::vector<DVec3> faces = face_normals(mesh);
   const std::vector<std::uint32_t> welded = places_of(mesh.positions);
   const auto corners = static_cast<std::uint32_t>(3 * mesh.triangles.size());
-  CornerSets sets(corners);
+  DisjointSets sets(corners);
   if (crease_angle >= kPi) {
     std::vector<std::uint32_t> first(mesh.positions.size(), corners);
     for (std::uint32_t corner = 0; corner < corners; ++corner) {

@@ -75,11 +75,11 @@ void StudioThread::push(Entry entry) {
 }
 
 void StudioThread::post(std::string label, Job job) {
-  push({Entry::Kind::kJob, std::move(label), std::move(job), {}, {}, 0.0});
+  push({.label = std::move(label), .job = std::move(job)});
 }
 
 void StudioThread::post_patiently(std::string label, Job job) {
-  push({Entry::Kind::kJob, std::move(label), std::move(job), {}, {}, 0.0, true});
+  push({.label = std::move(label), .job = std::move(job), .patient = true});
 }
 
 void StudioThread::act(std::string label, Workbench::Task task, Workbench::After after) {
@@ -91,7 +91,7 @@ void StudioThread::act_patiently(std::string label, Workbench::Task task) {
 }
 
 void StudioThread::act_in_series(std::string label, Workbench::Task task, Workbench::After after) {
-  push({Entry::Kind::kJob, std::move(label), action(std::move(task), after), {}, {}, 0.0, false, true});
+  push({.label = std::move(label), .job = action(std::move(task), after), .in_series = true});
 }
 
 void StudioThread::change(std::string label, Workbench::Task task, Workbench::After after) {
@@ -111,7 +111,7 @@ void StudioThread::begin_stroke(Stroke stroke, fs::path folder) {
 }
 
 void StudioThread::extend_stroke(std::vector<StrokePoint> points) {
-  push({Entry::Kind::kExtend, "paint", {}, std::move(points), {}, 0.0});
+  push({.kind = Entry::Kind::kExtend, .label = "paint", .points = std::move(points)});
 }
 
 void StudioThread::end_stroke() {
@@ -119,11 +119,11 @@ void StudioThread::end_stroke() {
 }
 
 void StudioThread::preview(std::vector<std::string> assignments) {
-  push({Entry::Kind::kPreview, "preview", {}, {}, std::move(assignments), 0.0});
+  push({.kind = Entry::Kind::kPreview, .label = "preview", .assignments = std::move(assignments)});
 }
 
 void StudioThread::preview_frame(double frame) {
-  push({Entry::Kind::kFrame, "look at another frame", {}, {}, {}, frame});
+  push({.kind = Entry::Kind::kFrame, .label = "look at another frame", .frame = frame});
 }
 
 void StudioThread::go_to(double frame) {

@@ -95,10 +95,10 @@ class StudioThread {
   struct Entry {
     enum class Kind { kJob, kExtend, kPreview, kFrame };
     Kind kind = Kind::kJob;
-    std::string label;
-    Job job;
-    std::vector<StrokePoint> points;
-    std::vector<std::string> assignments;
+    std::string label = {};
+    Job job = {};
+    std::vector<StrokePoint> points = {};
+    std::vector<std::string> assignments = {};
     double frame = 0.0;
     bool patient = false;
     bool in_series = false;

@@ -9,7 +9,7 @@
 
 #include <glm/ext/vector_double3.hpp>
 
-#include "surface/disjoint_sets.h"
+#include "base/disjoint_sets.h"
 
 namespace luminist {
 namespace {

@@ -10,7 +10,7 @@
 #include <glm/ext/vector_double3.hpp>
 #include <glm/geometric.hpp>
 
-#include "surface/disjoint_sets.h"
+#include "base/disjoint_sets.h"
 #include "surface/repair.h"
 
 namespace luminist {

@@ -6,11 +6,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
-#include <random>
 #include <span>
 #include <vector>
 
 #include "prep/nasty_meshes.h"
+#include "raster/mesh_scenes.h"
 #include "surface/repair.h"
 
 namespace luminist {
@@ -33,14 +33,7 @@ TEST(HalfEdges, TakeEveryRepairedSurface) {
 
 TEST(HalfEdges, TakeHeapsOfTrianglesOnceTheyAreRepaired) {
   for (unsigned seed = 0; seed < 40; ++seed) {
-    std::mt19937 random(seed);
-    Mesh heap;
-    const unsigned count = 4 + seed % 9;
-    const auto any = [&] { return static_cast<std::uint32_t>(random() % count); };
-    for (unsigned i = 0; i < count; ++i) heap.positions.push_back(Vec3{random() % 5, random() % 5, random() % 5});
-    for (int i = 0; i < 40; ++i) heap.triangles.push_back({any(), any(), any()});
-    compute_normals(heap, kPi);
-    const WeldedMesh surface = repair(heap).surface;
+    const WeldedMesh surface = repair(test::heap_mesh(seed, 4 + seed % 9, 5, 40)).surface;
     EXPECT_EQ(first_fault(surface.positions, surface.triangles), kNoFault) << "heap " << seed;
   }
 }

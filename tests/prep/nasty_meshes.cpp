@@ -39,19 +39,6 @@ Mesh dust() {
   return with_normals(std::move(mesh));
 }
 
-Mesh heap() {
-  std::mt19937 random(11);
-  Mesh mesh;
-  constexpr std::uint32_t kPoints = 60;
-  for (std::uint32_t i = 0; i < kPoints; ++i) mesh.positions.emplace_back(random() % 9, random() % 9, random() % 9);
-  for (int i = 0; i < 400; ++i) {
-    mesh.triangles.push_back({static_cast<std::uint32_t>(random() % kPoints),
-                              static_cast<std::uint32_t>(random() % kPoints),
-                              static_cast<std::uint32_t>(random() % kPoints)});
-  }
-  return with_normals(std::move(mesh));
-}
-
 Mesh with_bad_triangles() {
   Mesh mesh = box_mesh();
   mesh.triangles.push_back(mesh.triangles[3]);
@@ -160,7 +147,7 @@ std::vector<NamedMesh> nasty_meshes() {
   meshes.push_back({"bad triangles", with_bad_triangles()});
   meshes.push_back({"dust", dust()});
   meshes.push_back({"crumpled", crumpled_sphere()});
-  meshes.push_back({"heap", heap()});
+  meshes.push_back({"heap", heap_mesh(11, 60, 9, 400)});
   meshes.push_back({"triangle", of({{0, 0, 0}, {2, 0, 0}, {0, 1, 0}}, {{0, 1, 2}})});
   meshes.push_back({"nothing", Mesh{}});
   return meshes;

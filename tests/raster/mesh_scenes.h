@@ -1,6 +1,8 @@
 #pragma once
 // tests/raster/mesh_scenes.h -- scenes of which geometry tells the picture.
 #include <cmath>
+#include <cstdint>
+#include <random>
 #include <string>
 #include <utility>
 
@@ -62,6 +64,19 @@ inline Mesh box_mesh() {
     mesh.triangles.push_back({first, first + 1, first + 2});
     mesh.triangles.push_back({first, first + 2, first + 3});
   }
+  return mesh;
+}
+
+/// Triangles between points of a grid that are drawn at random, some of them at one place; smooth normals.
+inline Mesh heap_mesh(unsigned seed, std::uint32_t points, unsigned grid, int triangles) {
+  std::mt19937 random(seed);
+  Mesh mesh;
+  for (std::uint32_t i = 0; i < points; ++i) {
+    mesh.positions.emplace_back(random() % grid, random() % grid, random() % grid);
+  }
+  const auto any = [&] { return static_cast<std::uint32_t>(random() % points); };
+  for (int i = 0; i < triangles; ++i) mesh.triangles.push_back({any(), any(), any()});
+  compute_normals(mesh, kPi);
   return mesh;
 }
 

@@ -1,14 +1,9 @@
-// Small pictures of frames, beside a session and by its thread.
+// Small pictures of frames, beside a session.
 #include "studio/frame_strip.h"
 
-#include <chrono>
-#include <condition_variable>
 #include <map>
-#include <mutex>
-#include <thread>
 
 #include "studio/moving_session.h"
-#include "studio/studio_thread.h"
 
 namespace luminist {
 namespace {
@@ -131,44 +126,6 @@ TEST_F(FrameStripTest, TheRangeIsThatOfWhatMovesAndOfTheKeys) {
   LUM_EXPECT_OK(session_->go_to(0));
   EXPECT_EQ(facts().last, 40);
   EXPECT_EQ(facts().first, 0);
-}
-
-TEST_F(FrameStripTest, TheThreadLeavesOvertakenPreviewsOutAndMakesTheStripWhenIdle) {
-  session_.reset();
-  StudioThread studio({roots_, folder_.path() / "unsaved", {}});
-  const auto until = [&](const auto& holds) {
-    for (int i = 0; i < 3000 && !holds(); ++i) std::this_thread::sleep_for(std::chrono::milliseconds(20));
-    return holds();
-  };
-  studio.post("open", [&](Workbench& bench) { return bench.open(moving_, folder_.path()); });
-  ASSERT_TRUE(until([&] { return studio.latest()->frames != nullptr; }));
-  studio.want_strip(3, 12);
-  EXPECT_TRUE(until([&] { return studio.latest()->frames->strip.size() == 3; }));
-  bool go = false;
-  std::mutex mutex;
-  std::condition_variable wake;
-  studio.post("hold the thread", [&](Workbench&) -> Result<void> {
-    std::unique_lock lock(mutex);
-    wake.wait(lock, [&] { return go; });
-    return {};
-  });
-  ASSERT_TRUE(until([&] { return studio.activity().label == "hold the thread"; }));
-  for (int frame = 1; frame <= 20; ++frame) studio.preview_frame(frame);
-  EXPECT_EQ(studio.activity().waiting, 1U);
-  studio.go_to(5);
-  EXPECT_EQ(studio.activity().waiting, 1U);  // in place of the preview
-  {
-    const std::lock_guard lock(mutex);
-    go = true;
-  }
-  wake.notify_one();
-  EXPECT_TRUE(until([&] { return studio.latest()->frames->frame == 5.0; }));
-  EXPECT_FALSE(studio.latest()->frames->previewed);
-  studio.preview_frame(7);
-  EXPECT_TRUE(until([&] { return studio.latest()->frames->previewed == 7.0; }));
-  studio.go_to(5);
-  EXPECT_TRUE(until([&] { return !studio.latest()->frames->previewed; }));
-  EXPECT_EQ(studio.latest()->history.undo_steps, 1U);  // previews and going nowhere are no gestures
 }
 
 }  // namespace

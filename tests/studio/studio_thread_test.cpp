@@ -101,5 +101,24 @@ TEST_F(StudioThreadTest, AHeldKeyShowsSomeOfItsSteps) {
   EXPECT_GT(undo(kSteps, std::chrono::milliseconds(60)), 2U) << "one of two or three";
 }
 
+TEST_F(StudioThreadTest, LeavesOvertakenPreviewsOutAndMakesTheStripWhenIdle) {
+  ASSERT_TRUE(until([this] { return studio_->latest()->frames != nullptr; }));
+  studio_->want_strip(3, 12);
+  EXPECT_TRUE(until([this] { return studio_->latest()->frames->strip.size() == 3; }));
+  hold();
+  for (int frame = 1; frame <= 20; ++frame) studio_->preview_frame(frame);
+  EXPECT_EQ(studio_->activity().waiting, 1U);
+  studio_->go_to(5);
+  EXPECT_EQ(studio_->activity().waiting, 1U);  // in place of the preview
+  release();
+  EXPECT_TRUE(until([this] { return studio_->latest()->frames->frame == 5.0; }));
+  EXPECT_FALSE(studio_->latest()->frames->previewed);
+  studio_->preview_frame(7);
+  EXPECT_TRUE(until([this] { return studio_->latest()->frames->previewed == 7.0; }));
+  studio_->go_to(5);
+  EXPECT_TRUE(until([this] { return !studio_->latest()->frames->previewed; }));
+  EXPECT_EQ(studio_->latest()->history.undo_steps, 1U);  // previews and going nowhere are no gestures
+}
+
 }  // namespace
 }  // namespace luminist

@@ -193,18 +193,7 @@ TEST(Repair, TearsABandWithOneSideOnly) {
 
 TEST(Repair, AnyHeapOfTrianglesBecomesAManifold) {
   for (unsigned seed = 0; seed < 40; ++seed) {
-    std::mt19937 random(seed);
-    Mesh heap;
-    const std::uint32_t count = 4 + seed % 9;
-    for (std::uint32_t i = 0; i < count; ++i) {
-      heap.positions.emplace_back(random() % 5, random() % 5, random() % 5);  // some at one place
-    }
-    for (int i = 0; i < 40; ++i) {
-      heap.triangles.push_back({static_cast<std::uint32_t>(random() % count),
-                                static_cast<std::uint32_t>(random() % count),
-                                static_cast<std::uint32_t>(random() % count)});
-    }
-    heap = with_smooth_normals(std::move(heap));
+    const Mesh heap = test::heap_mesh(seed, 4 + seed % 9, 5, 40);
     const Repaired repaired = repair(heap);
     const RepairReport& report = repaired.report;
     EXPECT_EQ(repaired.surface.triangles.size() + report.degenerate + report.duplicate, heap.triangles.size());

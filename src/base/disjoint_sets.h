@@ -1,5 +1,5 @@
 #pragma once
-// surface/disjoint_sets.h -- what belongs together, found pair by pair.
+// base/disjoint_sets.h -- what belongs together, found pair by pair.
 #include <cstddef>
 #include <cstdint>
 #include <numeric>
