@@ -4,8 +4,8 @@
 usage: window_latency.py LUMINIST OUTPUT_FOLDER [LUMINIST_BENCH]
 
 Draws strokes on the demo scene in a window of its own, 60 events a second, and prints one line of JSON: "ink" from the
-window system's call to the end of the frame in which the point is drawn (median, 95th percentile, most, in seconds),
-and, where the bench is given, what `luminist-bench latency --json` says at 1280 x 720. A measurement and no test: it
+window system's call to the end of the frame in which the point is drawn, "frames" what such a frame took (median, 95th
+percentile, most, in seconds), and, where the bench is given, what `luminist-bench latency --json` says at 1280 x 720. A measurement and no test: it
 needs what window_test.py needs, and a machine that does nothing else.
 """
 import json
@@ -49,7 +49,7 @@ def play(studio, output):
     wait_for("the strokes are recorded", lambda: count(project, "Paint 1 stroke") >= STROKES)
     wait_for("the ink was timed", times.exists)
     time.sleep(1)
-    line = {"ink": json.loads(times.read_text())}
+    line = json.loads(times.read_text())
     studio.kill()
     if len(sys.argv) > 3:
         answer = subprocess.run([sys.argv[3], "latency", "--json"], check=True, capture_output=True, text=True)

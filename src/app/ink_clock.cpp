@@ -11,7 +11,12 @@
 namespace luminist {
 namespace {
 
-constexpr std::size_t kMost = 100'000;  // points
+constexpr std::size_t kMost = 100'000;  // of either
+
+nlohmann::json to_json(const std::vector<double>& seconds) {
+  const Latency latency = latency_of(seconds);
+  return {{"events", seconds.size()}, {"median", latency.median}, {"p95", latency.p95}, {"max", latency.most}};
+}
 
 }  // namespace
 
@@ -19,20 +24,19 @@ InkClock::InkClock() {
   if (const char* path = std::getenv("LUMINIST_INK_TIMES")) path_ = path;
 }
 
-void InkClock::note(std::span<const HandEvent> events, bool drawing, double now) {
+void InkClock::note(std::span<const HandEvent> events, bool drawing, double begin, double end) {
   if (path_.empty()) return;
   const bool ended = std::exchange(drawing_, drawing) && !drawing;
   for (const HandEvent& event : events) {
-    const bool counts = drawing && event.kind == HandEvent::Kind::kMove && seconds_.size() < kMost;
-    if (counts) seconds_.push_back(now - event.time);
+    const bool counts = drawing && event.kind == HandEvent::Kind::kMove && ink_.size() < kMost;
+    if (counts) ink_.push_back(end - event.time);
   }
+  if (drawing && frames_.size() < kMost) frames_.push_back(end - begin);
   if (ended) write();
 }
 
 void InkClock::write() const {
-  const Latency latency = latency_of(seconds_);
-  const nlohmann::json line = {
-      {"events", seconds_.size()}, {"median", latency.median}, {"p95", latency.p95}, {"max", latency.most}};
+  const nlohmann::json line = {{"ink", to_json(ink_)}, {"frames", to_json(frames_)}};
   static_cast<void>(write_file_atomic(path_, line.dump()));  // a measurement is not worth a message
 }
 

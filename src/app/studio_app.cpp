@@ -99,7 +99,7 @@ class StudioApp {
     layout_.draw(desk_, canvas_, hand);
     questions_.draw(desk_);
     window_->end_frame();
-    ink_clock_.note(hand, desk_.hand_down, Window::seconds());
+    ink_clock_.note(hand, desk_.hand_down, desk_.time, Window::seconds());
     title();
   }
 

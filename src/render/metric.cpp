@@ -9,10 +9,10 @@
 namespace luminist {
 namespace {
 
-void check_sizes(const Image& picture, const Target& target) {
-  LUM_CHECK(picture.channels == 3 && target.color.channels == 3 && target.importance.channels == 1,
+void check_sizes(const Image& picture, const Image& color, const Image& importance) {
+  LUM_CHECK(picture.channels == 3 && color.channels == 3 && importance.channels == 1,
             "a picture and a target have three channels, an importance one");
-  LUM_CHECK(picture.same_size(target.color) && picture.same_size(target.importance), "all are of one size");
+  LUM_CHECK(picture.same_size(color) && picture.same_size(importance), "all are of one size");
 }
 
 /// I |T - R|_2 of one pixel. Where nothing counts the colours are not looked at: they may be anything.
@@ -21,23 +21,42 @@ double weighted_distance(const Image& picture, const Image& color, double import
   return importance * glm::distance(glm::dvec3(color.rgb(pixel)), glm::dvec3(picture.rgb(pixel)));
 }
 
-double error_of(const Image& picture, const Image& color, const Image& importance) {
-  double error = 0.0;
-  double total = 0.0;
-  for (std::size_t pixel = 0; pixel < importance.pixels(); ++pixel) {
-    const auto weight = static_cast<double>(importance.data[pixel]);
-    error += weighted_distance(picture, color, weight, pixel);
-    total += weight;
-  }
-  return total > 0.0 ? error / total : 0.0;
-}
-
 }  // namespace
 
 double picture_error(const Image& picture, const Target& target, const StyleMetric& metric) {
-  check_sizes(picture, target);
-  if (metric.blur <= 0.0F) return error_of(picture, target.color, target.importance);
-  return error_of(as_compared(picture, metric), as_compared(target.color, metric), target.importance);
+  check_sizes(picture, target.color, target.importance);
+  RowErrors rows;
+  if (metric.blur <= 0.0F) {
+    rows.compare(picture, target.color, target.importance);
+  } else {
+    rows.compare(as_compared(picture, metric), as_compared(target.color, metric), target.importance);
+  }
+  return rows.error();
+}
+
+void RowErrors::compare(const Image& picture, const Image& color, const Image& importance, int y0, int y1) {
+  check_sizes(picture, color, importance);
+  LUM_CHECK(0 <= y0 && y0 <= y1 && y1 <= picture.height, "rows are of the picture");
+  rows_.resize(static_cast<std::size_t>(picture.height));
+  for (int y = y0; y < y1; ++y) {
+    Row row;
+    const std::size_t end = picture.index(0, y) + static_cast<std::size_t>(picture.width);
+    for (std::size_t pixel = picture.index(0, y); pixel < end; ++pixel) {
+      const auto weight = static_cast<double>(importance.data[pixel]);
+      row.error += weighted_distance(picture, color, weight, pixel);
+      row.importance += weight;
+    }
+    rows_[static_cast<std::size_t>(y)] = row;
+  }
+}
+
+double RowErrors::error() const {
+  Row all;
+  for (const Row& row : rows_) {
+    all.error += row.error;
+    all.importance += row.importance;
+  }
+  return all.importance > 0.0 ? all.error / all.importance : 0.0;
 }
 
 Image as_compared(const Image& picture, const StyleMetric& metric) {
@@ -53,7 +72,7 @@ Target as_compared(const Target& target, const StyleMetric& metric) {
 }
 
 Image residual_map(const Image& picture, const Target& target) {
-  check_sizes(picture, target);
+  check_sizes(picture, target.color, target.importance);
   Image map(picture.width, picture.height, 1);
   for (std::size_t pixel = 0; pixel < map.pixels(); ++pixel) {
     const auto weight = static_cast<double>(target.importance.data[pixel]);

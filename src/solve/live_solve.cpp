@@ -66,7 +66,7 @@ class LiveSolve::Impl {
   void offer(ParamState start);
 
   [[nodiscard]] const ParamState& best() const { return best_; }
-  [[nodiscard]] const Image& picture() const { return picture_; }
+  [[nodiscard]] const std::shared_ptr<const Image>& picture() const { return picture_; }
   [[nodiscard]] const LiveReport& report() const { return report_; }
 
  private:
@@ -88,9 +88,15 @@ class LiveSolve::Impl {
     report_.epsilon = error + penalty;
     report_.penalty = penalty;
   }
-  [[nodiscard]] double error_of(const Image& picture) const {
-    return picture_error(picture, target_, renderer_->style().metric);
+  [[nodiscard]] Image compared(const Image& picture) const {
+    return blurs() ? as_compared(picture, renderer_->style().metric) : Image();
   }
+  /// Of a picture, or of what the metric compares in its place, in those rows.
+  void compare(const Image& picture, const Image& compared, RowErrors& errors, const PixelBox& rows) const {
+    errors.compare(blurs() ? compared : picture, blurs() ? seen_.color : target_.color, target_.importance, rows.y0,
+                   rows.y1);
+  }
+  [[nodiscard]] PixelBox everywhere() const { return {0, 0, target_.color.width, target_.color.height}; }
 
   Renderer* renderer_;
   SolveOptions options_;
@@ -115,18 +121,22 @@ class LiveSolve::Impl {
   ParamState first_;                 ///< where the lights began: given first, or offered last
   ParamState best_;
   std::vector<int> moving_;  ///< lights that may turn
-  Image picture_;
+  std::shared_ptr<const Image> picture_;
+  Image seen_picture_;  ///< as a metric compares it that blurs; else empty
+  RowErrors errors_;    ///< of the picture shown
   LiveReport report_;
 };
 
 Result<void> LiveSolve::Impl::begin(Image picture) {
-  picture_ = std::move(picture);
-  if (picture_.empty()) {
-    LUM_TRY(picture_, renderer_->render(best_));
+  if (picture.empty()) {
+    LUM_TRY(picture, renderer_->render(best_));
     ++report_.pictures;
   }
+  picture_ = std::make_shared<const Image>(std::move(picture));
+  seen_picture_ = compared(*picture_);
   LUM_TRY_VOID(cut());
-  tell(error_of(picture_), penalty_of(best_, renderer_->frame()));
+  compare(*picture_, seen_picture_, errors_, everywhere());
+  tell(errors_.error(), penalty_of(best_, renderer_->frame()));
   enter(Phase::kBegin);
   return {};
 }
@@ -168,9 +178,12 @@ Result<void> LiveSolve::Impl::retarget(const Target& target, const PixelBox& cha
             "a target keeps its size");
   if (changed.empty()) return {};
   copy_box(target, target_, changed);
-  if (blurs()) seen_ = as_compared(target_, renderer_->style().metric);
-  // Blurred paint reaches beyond its box.
-  sampler_.update(blurs() ? PixelBox{0, 0, target_.color.width, target_.color.height} : changed);
+  if (blurs()) {
+    seen_.color = compared(target_.color);
+    seen_.importance = target_.importance;
+  }
+  const PixelBox reached = blurs() ? everywhere() : changed;  // blurred paint reaches beyond its box
+  sampler_.update(reached);
   double moved = 1.0;
   if (!problems_.empty()) {
     moved = sampler_.refresh(levels_[kFollow].cells);
@@ -181,7 +194,8 @@ Result<void> LiveSolve::Impl::retarget(const Target& target, const PixelBox& cha
   searches_ = 0;
   compared_ = false;
   if (moved > kMoved) LUM_TRY_VOID(cut());
-  tell(error_of(picture_), penalty_of(best_, renderer_->frame()));
+  compare(*picture_, seen_picture_, errors_, reached);
+  tell(errors_.error(), penalty_of(best_, renderer_->frame()));
   enter(Phase::kBegin);
   return {};
 }
@@ -289,12 +303,16 @@ Result<bool> LiveSolve::Impl::show() {
   compared_ = false;
   LUM_TRY(Image picture, renderer_->render(state, {.moving = moving_}));
   ++report_.pictures;
-  const double error = error_of(picture);
+  Image seen = compared(picture);
+  RowErrors errors;
+  compare(picture, seen, errors, everywhere());
   const double penalty = penalty_of(state, renderer_->frame());
-  if (!(error + penalty < report_.epsilon)) return false;
+  if (!(errors.error() + penalty < report_.epsilon)) return false;
   best_ = std::move(state);
-  picture_ = std::move(picture);
-  tell(error, penalty);
+  picture_ = std::make_shared<const Image>(std::move(picture));
+  seen_picture_ = std::move(seen);
+  errors_ = std::move(errors);
+  tell(errors_.error(), penalty);
   return true;
 }
 
@@ -339,6 +357,9 @@ const ParamState& LiveSolve::best() const {
   return impl_->best();
 }
 const Image& LiveSolve::picture() const {
+  return *impl_->picture();
+}
+std::shared_ptr<const Image> LiveSolve::shared_picture() const {
   return impl_->picture();
 }
 const LiveReport& LiveSolve::report() const {

@@ -75,6 +75,7 @@ class LiveSolve {
 
   [[nodiscard]] const ParamState& best() const;  ///< the lights of the picture shown
   [[nodiscard]] const Image& picture() const;
+  [[nodiscard]] std::shared_ptr<const Image> shared_picture() const;  ///< the same, for others to keep
   [[nodiscard]] const LiveReport& report() const;
 
  private:

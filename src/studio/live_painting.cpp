@@ -79,7 +79,8 @@ Result<LiveEvent> LivePainting::follow(Result<PixelBox> painted, Hand hand, Cloc
   since = Clock::now();
   LUM_TRY(event.more, solve_->run_for(options_.slice, hand));
   event.solve = lap(since);
-  LUM_TRY(event.changed, solve_->show());
+  LUM_TRY(const bool nearer, solve_->show());
+  event.changed = nearer || !began;
   event.picture = lap(since);
   event.error = solve_->report().error();
   return event;

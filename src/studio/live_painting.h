@@ -1,6 +1,7 @@
 #pragma once
 // studio/live_painting.h -- painting while the lights follow: event by event from the hand to the picture.
 #include <chrono>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -65,6 +66,10 @@ class LivePainting {
   [[nodiscard]] bool has_lights() const { return solve_.has_value(); }
   [[nodiscard]] const ParamState& best() const { return solve_ ? solve_->best() : start_; }
   [[nodiscard]] const Image& picture() const { return solve_ ? solve_->picture() : canvas_.target().before; }
+  /// The same, for others to keep; a copy only while there are no lights.
+  [[nodiscard]] std::shared_ptr<const Image> shared_picture() const {
+    return solve_ ? solve_->shared_picture() : std::make_shared<const Image>(canvas_.target().before);
+  }
   [[nodiscard]] const Target& target() const { return canvas_.target(); }
   /// Of a picture of the shot, against the target now. cost O(pixels)
   [[nodiscard]] double error_of(const Image& picture) const;

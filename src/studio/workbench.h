@@ -128,6 +128,7 @@ class Workbench : private WorkbenchData {
   void tell_solve(StudioSnapshot& next);
   [[nodiscard]] ShotFacts facts() const;
   [[nodiscard]] const ParamState& shown_lights() const;
+  [[nodiscard]] const Target* shown_target() const;
 };
 
 }  // namespace luminist

@@ -72,6 +72,11 @@ void Workbench::set_solo(std::vector<std::string> lights) {
   picture_.reset();
 }
 
+/// What is painted as it is under the hand; null: as the session has it.
+const Target* Workbench::shown_target() const {
+  return live_painting_ ? &live_painting_->target() : canvas_ ? &canvas_->target() : nullptr;
+}
+
 /// errors the renderer's.
 Result<void> Workbench::refresh_pictures(StudioSnapshot& next) {
   const bool lights = live_painting_ && live_painting_->has_lights();
@@ -82,16 +87,16 @@ Result<void> Workbench::refresh_pictures(StudioSnapshot& next) {
       LUM_TRY(Image picture, session_->stage().renderer->render(shown));
       picture_ = std::make_shared<const Image>(std::move(picture));
     } else if (shows_quick()) {
-      picture_ = std::make_shared<const Image>(quick_painting_->picture());
+      picture_ = quick_painting_->shared_picture();
     } else if (lights) {
-      picture_ = std::make_shared<const Image>(live_painting_->picture());
+      picture_ = live_painting_->shared_picture();
     } else {
       LUM_TRY(const Image* picture, session_->picture());
       picture_ = std::make_shared<const Image>(*picture);
     }
   }
   if (!painted_) {
-    const Target* target = live_painting_ ? &live_painting_->target() : canvas_ ? &canvas_->target() : nullptr;
+    const Target* target = shown_target();
     if (target == nullptr) {
       LUM_TRY(target, session_->target());
     }

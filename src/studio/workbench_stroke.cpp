@@ -21,10 +21,10 @@ std::string file_in(const fs::path& folder) {
 Result<void> Workbench::follow() {
   LUM_TRY(Canvas canvas, session_->canvas_copy());
   const ParamState& start = session_->shown();
+  painted_buffers_.note_change(shown_target(), canvas.target());
   live_painting_.emplace(session_->stage(), std::move(canvas), start, waiting_lights(start.rig),
                          LivePainting::Options{});
   proposal_put_ = false;
-  painted_buffers_.note_all();
   error_before_ = live_painting_->error_of(live_painting_->target().before);
   return {};
 }
@@ -187,16 +187,17 @@ Result<void> Workbench::extend_stroke(std::span<const StrokePoint> points) {
   // First, so that what is recorded is what the canvas got, whatever becomes of the lights.
   stroke_->stroke.points.insert(stroke_->stroke.points.end(), points.begin(), points.end());
   double paint = 0.0;
+  bool changed = false;
   if (stroke_->live) {
     LUM_TRY(const LiveEvent event, live_painting_->extend(points));
     note_event(event, 0.0);
+    changed = event.changed;
   } else {
     const auto since = std::chrono::steady_clock::now();
     LUM_TRY(const PixelBox box, canvas_->extend_stroke(points));
     painted_buffers_.note(box);
     paint = std::chrono::duration<double>(std::chrono::steady_clock::now() - since).count();
   }
-  bool changed = !stroke_->quick;
   if (stroke_->quick) {
     LUM_TRY(const LiveEvent event, quick_painting_->extend(points));
     note_event(event, std::max(paint, 1e-9));

@@ -77,6 +77,22 @@ TEST(PictureError, OfABlurredStyleComparesBlurredPictures) {
   EXPECT_DOUBLE_EQ(picture_error(blurred(picture, 0.05F * 64.0F), blurred_target, {}), error);
 }
 
+TEST(RowErrors, OfRowsThatChangedAreThoseOfTheWholePicture) {
+  Target target = flat_target(7, 9, Vec3(0.4F, 0.1F, 0.9F), 0.3F);
+  const Image picture(7, 9, 3, 0.7F);
+  RowErrors rows;
+  rows.compare(picture, target.color, target.importance);
+  EXPECT_EQ(rows.error(), picture_error(picture, target, {}));
+  for (const int y : {3, 4, 8}) {
+    target.color.set_rgb(target.color.index(y % 7, y), Vec3(1.0F, 0.01F * static_cast<float>(y), 0.0F));
+    target.importance.data[target.importance.index(6, y)] = 0.9F;
+  }
+  rows.compare(picture, target.color, target.importance, 3, 5);
+  EXPECT_NE(rows.error(), picture_error(picture, target, {})) << "the last row changed, too";
+  rows.compare(picture, target.color, target.importance, 8, 9);
+  EXPECT_EQ(rows.error(), picture_error(picture, target, {}));
+}
+
 TEST(ResidualMap, ShowsWhereTheErrorIs) {
   Target target = flat_target(2, 2, Vec3(0.0F), 0.0F);
   target.importance.data = {0.0F, 2.0F, 1.0F, 0.0F};

@@ -54,6 +54,32 @@ TEST_F(WorkbenchPicturesTest, TheShadowBrushNeedNotWaitForWhatItCopies) {
   EXPECT_EQ(shades(), before);
 }
 
+TEST_F(WorkbenchPicturesTest, ThePictureIsAnotherOnlyWhereTheLightsAre) {
+  add_dark_light();
+  const Stroke whole = light_strokes().strokes.front();
+  int stayed = 0;
+  for (const bool live : {true, false}) {
+    bench_->set_live(live);
+    LUM_EXPECT_OK(bench_->begin_stroke({whole.brush, {whole.points.front()}}, folder_.path()));
+    auto last = look();
+    for (int i = 1; i <= 12; ++i) {
+      const float t = static_cast<float>(i) / 12.0F;
+      const StrokePoint& a = whole.points.front();
+      const StrokePoint& b = whole.points.back();
+      const StrokePoint between{a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), 1.0F};
+      LUM_EXPECT_OK(bench_->extend_stroke(std::span(&between, 1)));
+      const auto now = look();
+      LUM_ASSERT_OK(const Image made, bench_->session().stage().renderer->render(*now->shown));
+      EXPECT_EQ(now->picture->data, made.data);
+      stayed += now->picture == last->picture ? 1 : 0;
+      EXPECT_TRUE(live || now->picture == last->picture);
+      last = now;
+    }
+    LUM_EXPECT_OK(bench_->end_stroke());
+  }
+  EXPECT_GE(stayed, 12);
+}
+
 TEST_F(WorkbenchPicturesTest, ASmallerPictureFollowsTheBrushAndAFullOneComesWhenItRests) {
   if (!device_->info().software) GTEST_SKIP() << "elsewhere no picture is small";
   open(400, 300);  // more than QuickStage::helps() leaves alone

@@ -24,8 +24,9 @@ function(luminist_test_options target)
   target_compile_options(${target} PRIVATE -O1)
 endfunction()
 
-# luminist_tests(NAME [n]): tests/NAME/*_test.cpp, of the library lum_NAME, as the executable NAME_test, in n parts.
-function(luminist_tests name)
+# luminist_tests(NAME MODULE [n]): tests/NAME/*_test.cpp, of the library lum_MODULE, as the executable NAME_test, in n
+# parts.
+function(luminist_tests name module)
   set(shards ${ARGN})
   if(NOT shards)
     set(shards 1)
@@ -35,7 +36,7 @@ function(luminist_tests name)
     add_executable(${name}_test ${tests})
     luminist_test_options(${name}_test)
     target_include_directories(${name}_test PRIVATE ${CMAKE_SOURCE_DIR}/tests)
-    target_link_libraries(${name}_test PRIVATE lum_${name} lum_test_support GTest::gtest GTest::gtest_main)
+    target_link_libraries(${name}_test PRIVATE lum_${module} lum_test_support GTest::gtest GTest::gtest_main)
     foreach(shard RANGE 1 ${shards})
       set(part ${name})
       if(shard GREATER 1)
@@ -57,5 +58,5 @@ function(luminist_module name)
   list(TRANSFORM M_DEPS PREPEND lum_)
   target_link_libraries(lum_${name} PUBLIC ${M_DEPS} ${M_LIBS} PRIVATE ${M_PRIVATE_LIBS})
 
-  luminist_tests(${name} ${M_TEST_SHARDS})
+  luminist_tests(${name} ${name} ${M_TEST_SHARDS})
 endfunction()

@@ -1,4 +1,4 @@
-// A monkey at the table: gestures at random, most of them senseless. LUMINIST_MONKEY_ACTIONS says how many.
+// A monkey at the session: gestures at random, most of them senseless. LUMINIST_MONKEY_ACTIONS says how many.
 #include <fmt/format.h>
 
 #include <cstdlib>
@@ -20,7 +20,7 @@ int actions() {
   return asked != nullptr ? std::atoi(asked) : kActions;
 }
 
-class MonkeyTest : public SessionTest {
+class SessionMonkeyTest : public SessionTest {
  protected:
   void SetUp() override {
     SessionTest::SetUp();
@@ -115,7 +115,7 @@ class MonkeyTest : public SessionTest {
   std::mt19937 random_{1};
 };
 
-TEST_F(MonkeyTest, AllItsGesturesAreUndoneAndDoneAgain) {
+TEST_F(SessionMonkeyTest, AllItsGesturesAreUndoneAndDoneAgain) {
   const std::string start = hash();
   const int count = actions();
   for (int i = 0; i < count; ++i) {
