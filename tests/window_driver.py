@@ -168,6 +168,17 @@ def count(project, start):
     return sum(label.startswith(start) for label in labels(project))
 
 
+def accept(studio, project):
+    """What is proposed; on a slow machine there may be nothing yet, so that the key is pressed again."""
+    def accepted():
+        if count(project, "Accept") == 0:
+            studio.key("Return")
+            time.sleep(2)
+        return count(project, "Accept") == 1
+
+    wait_for("the lights are accepted", accepted)
+
+
 def kept_session(studio):
     """The log of the unsaved session that is open, once there is one."""
     folder = wait_for("the demo scene opens", lambda: next(iter(studio.unsaved.glob(f"untitled-{studio.process.pid}-*.lum")), None))

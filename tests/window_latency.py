@@ -5,8 +5,8 @@ usage: window_latency.py LUMINIST OUTPUT_FOLDER [LUMINIST_BENCH]
 
 Draws strokes on the demo scene in a window of its own, 60 events a second, and prints one line of JSON: "ink" from the
 window system's call to the end of the frame in which the point is drawn, "frames" what such a frame took (median, 95th
-percentile, most, in seconds), and, where the bench is given, what `luminist-bench latency --json` says at 1280 x 720. A measurement and no test: it
-needs what window_test.py needs, and a machine that does nothing else.
+percentile, most, in seconds), and, where the bench is given, what `luminist-bench latency --json` says at 1280 x 720. A
+measurement and no test: it needs what window_test.py needs, and a machine that does nothing else.
 """
 import json
 import math

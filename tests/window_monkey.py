@@ -15,7 +15,7 @@ import subprocess
 import sys
 import time
 
-from window_driver import Fault, count, drive, kept_session, ready, records, replayed_rig, wait_for
+from window_driver import Fault, accept, count, drive, kept_session, ready, records, replayed_rig, wait_for
 
 KEYS = ("b a s e i n k v w h x g b p u Tab Escape Return Delete space bracketleft bracketright F1 F2 F3 F4 ctrl+z ctrl+shift+z "
         "ctrl+z ctrl+y shift+g 1 5 0 plus minus").split()  # none that ends the program or opens a dialog of files
@@ -56,8 +56,7 @@ def warm_up(studio, project):
         wait_for(f"stroke {number} is recorded", lambda n=number: count(project, "Paint 1 stroke") == n)
     studio.key("ctrl+Return")
     time.sleep(6)
-    studio.key("Return")
-    wait_for("the lights are accepted", lambda: count(project, "Accept") == 1)
+    accept(studio, project)
     for key in ("F2", "F3", "F4", "w", "w", "F1", "v"):
         studio.key(key)
         time.sleep(1)

@@ -11,7 +11,7 @@ import sys
 import time
 
 from window_cameras import cameras
-from window_driver import RIGHT_PANEL, ROOT, Fault, compare, count, drive, kept_session, labels, place, ready, records, replayed_rig, wait_for
+from window_driver import RIGHT_PANEL, ROOT, Fault, accept, compare, count, drive, kept_session, labels, place, ready, records, replayed_rig, wait_for
 
 SKIPPED = 77
 TAB_LIGHTS = (977, 42)  # of the panels on the right
@@ -152,8 +152,7 @@ def paint_and_accept(studio):
     studio.key("ctrl+Return")
     time.sleep(5)
     studio.shot("solving")
-    studio.key("Return")
-    wait_for("the lights are accepted", lambda: count(project, "Accept") == 1)
+    accept(studio, project)
     time.sleep(1)
     studio.shot("accepted")
     return project

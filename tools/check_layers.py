@@ -35,7 +35,7 @@ def declared_modules():
             continue
         words, deps, reading = call.group(2).split(), [], False
         for word in words:
-            if word in ("DEPS", "LIBS", "PRIVATE_LIBS", "TEST_SHARDS"):
+            if word in ("DEPS", "LIBS", "PRIVATE_LIBS", "TEST_SHARDS", "SANITIZE_O0"):
                 reading = word == "DEPS"
             elif reading:
                 deps.append(word)

@@ -15,7 +15,7 @@ constexpr std::size_t kMost = 100'000;  // of either
 
 nlohmann::json to_json(const std::vector<double>& seconds) {
   const Latency latency = latency_of(seconds);
-  return {{"events", seconds.size()}, {"median", latency.median}, {"p95", latency.p95}, {"max", latency.most}};
+  return {{"count", seconds.size()}, {"median", latency.median}, {"p95", latency.p95}, {"max", latency.most}};
 }
 
 }  // namespace

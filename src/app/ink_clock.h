@@ -11,7 +11,7 @@ namespace luminist {
 /// From the window system's call to the end of the frame in which the ink is drawn, for every point of every stroke;
 /// and what the frames took in which a stroke was under way, from the first look at what there is to show until the
 /// window has it (where swaps wait for the screen, that too). Written to the file that LUMINIST_INK_TIMES names
-/// whenever a stroke ends, as {"ink", "frames"} with {"events", "median", "p95", "max"} each, in seconds; without that
+/// whenever a stroke ends, as {"ink", "frames"} with {"count", "median", "p95", "max"} each, in seconds; without that
 /// variable nothing is kept.
 class InkClock {
  public:

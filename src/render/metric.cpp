@@ -37,7 +37,9 @@ double picture_error(const Image& picture, const Target& target, const StyleMetr
 void RowErrors::compare(const Image& picture, const Image& color, const Image& importance, int y0, int y1) {
   check_sizes(picture, color, importance);
   LUM_CHECK(0 <= y0 && y0 <= y1 && y1 <= picture.height, "rows are of the picture");
-  rows_.resize(static_cast<std::size_t>(picture.height));
+  const auto rows = static_cast<std::size_t>(picture.height);
+  LUM_CHECK(rows_.size() == rows || (y0 == 0 && y1 == picture.height), "all rows are compared the first time");
+  rows_.resize(rows);
   for (int y = y0; y < y1; ++y) {
     Row row;
     const std::size_t end = picture.index(0, y) + static_cast<std::size_t>(picture.width);

@@ -193,9 +193,9 @@ Result<void> LiveSolve::Impl::retarget(const Target& target, const PixelBox& cha
   session_.reset();
   searches_ = 0;
   compared_ = false;
-  if (moved > kMoved) LUM_TRY_VOID(cut());
   compare(*picture_, seen_picture_, errors_, reached);
   tell(errors_.error(), penalty_of(best_, renderer_->frame()));
+  if (moved > kMoved) LUM_TRY_VOID(cut());
   enter(Phase::kBegin);
   return {};
 }

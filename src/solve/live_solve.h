@@ -73,8 +73,8 @@ class LiveSolve {
   /// renderer's. cost a picture, or nothing if nothing was found.
   Result<bool> show();
 
-  [[nodiscard]] const ParamState& best() const;  ///< the lights of the picture shown
-  [[nodiscard]] const Image& picture() const;
+  [[nodiscard]] const ParamState& best() const;                       ///< the lights of the picture shown
+  [[nodiscard]] const Image& picture() const;                         ///< until another is shown
   [[nodiscard]] std::shared_ptr<const Image> shared_picture() const;  ///< the same, for others to keep
   [[nodiscard]] const LiveReport& report() const;
 

@@ -71,6 +71,7 @@ Result<LiveEvent> LivePainting::follow(Result<PixelBox> painted, Hand hand, Cloc
   event.painted = *painted;
   event.paint = lap(since);
   const bool began = solve_.has_value();
+  const std::shared_ptr<const Image> shown = began ? solve_->shared_picture() : nullptr;
   LUM_TRY_VOID(retarget(*painted));
   event.retarget = lap(since);
   event.error_before = began ? solve_->report().error() : error_of(canvas_.target().before);
@@ -79,8 +80,8 @@ Result<LiveEvent> LivePainting::follow(Result<PixelBox> painted, Hand hand, Cloc
   since = Clock::now();
   LUM_TRY(event.more, solve_->run_for(options_.slice, hand));
   event.solve = lap(since);
-  LUM_TRY(const bool nearer, solve_->show());
-  event.changed = nearer || !began;
+  LUM_TRY_VOID(solve_->show());
+  event.changed = solve_->shared_picture() != shown;  // a step may show something, too
   event.picture = lap(since);
   event.error = solve_->report().error();
   return event;

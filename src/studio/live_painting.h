@@ -65,6 +65,7 @@ class LivePainting {
   /// False until the paint has said where new lights begin.
   [[nodiscard]] bool has_lights() const { return solve_.has_value(); }
   [[nodiscard]] const ParamState& best() const { return solve_ ? solve_->best() : start_; }
+  /// Until another is shown.
   [[nodiscard]] const Image& picture() const { return solve_ ? solve_->picture() : canvas_.target().before; }
   /// The same, for others to keep; a copy only while there are no lights.
   [[nodiscard]] std::shared_ptr<const Image> shared_picture() const {

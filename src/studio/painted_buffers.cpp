@@ -54,12 +54,12 @@ std::shared_ptr<const PaintedPictures> PaintedBuffers::show(const Target& target
     if (a.all_stale != b.all_stale) return b.all_stale;
     return a.stale.width() * a.stale.height() < b.stale.width() * b.stale.height();
   };
-  std::atomic_thread_fence(std::memory_order_acquire);  // what others read of a buffer that they let go is read
   Buffer& buffer = *std::min_element(buffers_.begin(), buffers_.end(), fresher);
   if (!free(buffer)) {
     buffer.pictures =
         std::make_shared<PaintedPictures>(PaintedPictures{target.color, target.importance, target.stroke});
   } else {  // into the memory that it has: new memory costs more than the copy
+    std::atomic_thread_fence(std::memory_order_acquire);  // what others read of a buffer that they let go is read
     const PixelBox all{0, 0, target.color.width, target.color.height};
     copy_box(target, *buffer.pictures, buffer.all_stale ? all : buffer.stale);
   }

@@ -224,8 +224,15 @@ Result<void> Workbench::start_solve(const SolveOptions& options) {
   });
 }
 
+/// What it found until now stays the proposal, and is shown.
+void Workbench::end_solve() {
+  if (!std::exchange(solving_, false)) return;
+  session_->stop_solve();
+  picture_.reset();
+}
+
 void Workbench::stop() {
-  if (std::exchange(solving_, false) && session_) session_->stop_solve();
+  end_solve();
   resting_ = follow_again_ = false;
   after_solve_ = {};
   want_full_picture();
@@ -242,7 +249,7 @@ void Workbench::after_solve(Task task) {
 
 Result<void> Workbench::judge(const std::function<bool()>& go_on) {
   LUM_TRY_VOID(need_session());
-  if (std::exchange(solving_, false)) session_->stop_solve();
+  end_solve();
   const bool followed = std::exchange(resting_, false) || follow_again_;
   follow_again_ = false;  // other lights would need another verdict
   want_full_picture();
@@ -295,7 +302,7 @@ Result<bool> Workbench::follow_at_rest() {
   if (event.changed) picture_.reset(), proposal_put_ = false;
   const Shot& shot = session_->shot();
   if (picture_ && picture_->width != shot.width && live_painting_->has_lights()) picture_.reset();
-  if (live_painting_->has_lights() && (event.changed || !event.more)) unanswered_ = 0;
+  if (live_painting_->has_lights() && (event.error < event.error_before || !event.more)) unanswered_ = 0;
   return resting_;
 }
 

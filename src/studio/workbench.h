@@ -92,6 +92,7 @@ class Workbench : private WorkbenchData {
   Result<void> adopt_session(std::unique_ptr<Session> session);
   Result<void> keep_unsaved();
   [[nodiscard]] Result<void> need_session() const;
+  void end_solve();
   void want_full_picture();
   [[nodiscard]] bool can_follow() const;
   Result<bool> follow_at_rest();

@@ -45,8 +45,8 @@ Result<void> Workbench::begin_stroke(const Stroke& stroke, const fs::path& folde
 
 Result<void> Workbench::open_stroke(const Stroke& stroke, const fs::path& folder) {
   if (stroke_) LUM_TRY_VOID(finish_stroke());
-  trial_.reset();
-  if (std::exchange(solving_, false)) session_->stop_solve();
+  if (std::exchange(trial_, std::nullopt)) picture_.reset();
+  end_solve();
   LUM_TRY_VOID(put_proposal());
   const bool follows = can_follow();
   const bool quick = follows && !quick_stages_.empty();
@@ -188,10 +188,15 @@ Result<void> Workbench::extend_stroke(std::span<const StrokePoint> points) {
   stroke_->stroke.points.insert(stroke_->stroke.points.end(), points.begin(), points.end());
   double paint = 0.0;
   bool changed = false;
+  painted_.reset();
   if (stroke_->live) {
-    LUM_TRY(const LiveEvent event, live_painting_->extend(points));
-    note_event(event, 0.0);
-    changed = event.changed;
+    const auto event = live_painting_->extend(points);
+    if (!event) {
+      painted_buffers_.note_all();  // whatever became of the lights, the points may be on the canvas
+      return event.error();
+    }
+    note_event(*event, 0.0);
+    changed = event->changed;
   } else {
     const auto since = std::chrono::steady_clock::now();
     LUM_TRY(const PixelBox box, canvas_->extend_stroke(points));
@@ -201,10 +206,8 @@ Result<void> Workbench::extend_stroke(std::span<const StrokePoint> points) {
   if (stroke_->quick) {
     LUM_TRY(const LiveEvent event, quick_painting_->extend(points));
     note_event(event, std::max(paint, 1e-9));
-    const bool other = picture_ && shows_quick() && !picture_->same_size(quick_painting_->picture());
-    changed = event.changed || other;
+    changed = event.changed;
   }
-  painted_.reset();
   if (changed) picture_.reset();
   return {};
 }
@@ -261,7 +264,7 @@ Result<void> Workbench::record(const Task& task) {
 Result<void> Workbench::repaint(const Task& task) {
   LUM_TRY_VOID(need_session());
   if (stroke_) LUM_TRY_VOID(finish_stroke());
-  if (std::exchange(solving_, false)) session_->stop_solve();
+  end_solve();
   LUM_TRY_VOID(put_proposal());
   const std::size_t before = session_->project().undo_steps();
   layers_.reset();  // one layer may be chosen in place of another
@@ -303,7 +306,7 @@ void Workbench::drop_stroke() {
 Result<void> Workbench::lay(const Stroke& stroke, const fs::path& folder) {
   LUM_TRY_VOID(need_session());
   if (stroke_) LUM_TRY_VOID(finish_stroke());
-  if (std::exchange(solving_, false)) session_->stop_solve();
+  end_solve();
   trial_.reset();
   ++strokes_taken_;
   const std::uint32_t first = strokes() + 1;
@@ -322,8 +325,12 @@ Result<void> Workbench::lay(const Stroke& stroke, const fs::path& folder) {
   } else if (can_follow()) {
     canvas_.reset();  // the stroke is not on it
     if (!live_painting_) LUM_TRY_VOID(follow());
-    LUM_TRY(const LiveEvent event, live_painting_->bucket(stroke, folder.string()));
-    note_event(event, 0.0);
+    const auto event = live_painting_->bucket(stroke, folder.string());
+    if (!event) {
+      drop_stroke();
+      return event.error();
+    }
+    note_event(*event, 0.0);
     resting_ = true;
   } else {
     live_painting_.reset();

@@ -166,7 +166,15 @@ TEST_F(WorkbenchMonkeyTest, AllItsGesturesAreUndoneAndDoneAgain) {
   for (int i = 0; i < gestures; ++i) {
     monkey(*bench_, random, stroke, folder_.path());
     if (i % 20 != 0) continue;
-    ASSERT_TRUE(bench_->snapshot()) << "after gesture " << i;
+    const auto now = bench_->snapshot();
+    ASSERT_TRUE(now) << "after gesture " << i;
+    if (bench_->stroke_open()) continue;
+    LUM_ASSERT_OK(const Target* target, bench_->session().target());
+    ASSERT_EQ((*now)->painted->color.data, target->color.data) << "after gesture " << i;
+    ASSERT_EQ((*now)->painted->stroke, target->stroke) << "after gesture " << i;
+    if (!(*now)->solo.empty()) continue;
+    LUM_ASSERT_OK(const Image made, bench_->session().stage().renderer->render(*(*now)->shown));
+    ASSERT_EQ((*now)->picture->data, made.data) << "after gesture " << i;
   }
   LUM_EXPECT_OK(bench_->end_stroke());
   const std::string end = document_hash();

@@ -21,6 +21,10 @@ class PaintedBuffersTest : public testing::Test {
     target.importance.data[pixel] = 1.0F;
     target.stroke[pixel] = 1;
   }
+  void fill_all() {
+    std::vector<std::shared_ptr<const PaintedPictures>> held;
+    for (int i = 0; i < 4; ++i) held.push_back(buffers_.show(target_));
+  }
   void expect_shown(const Target& target) {
     const auto shown = buffers_.show(target);
     EXPECT_EQ(shown->color.data, target.color.data);
@@ -63,12 +67,18 @@ TEST_F(PaintedBuffersTest, WhatTheyHoldForOthersStaysAsItIs) {
 }
 
 TEST_F(PaintedBuffersTest, OfAnotherTargetTheRowsThatDifferAreShown) {
-  for (int i = 0; i < 4; ++i) expect_shown(target_);
+  fill_all();
   Target other = target_;
   paint(other, 5, 1, 0.7F);
   other.importance.data[other.importance.index(0, 4)] = 0.5F;
   buffers_.note_change(&target_, other);
-  for (int i = 0; i < 4; ++i) expect_shown(other);
+  std::vector<std::shared_ptr<const PaintedPictures>> held;
+  for (int i = 0; i < 4; ++i) {
+    expect_shown(other);
+    held.push_back(buffers_.show(other));
+  }
+  EXPECT_EQ(std::set(held.begin(), held.end()).size(), 4U);
+  held.clear();
   buffers_.note_change(nullptr, target_);
   for (int i = 0; i < 4; ++i) expect_shown(target_);
   Target larger;
@@ -80,7 +90,7 @@ TEST_F(PaintedBuffersTest, OfAnotherTargetTheRowsThatDifferAreShown) {
 }
 
 TEST_F(PaintedBuffersTest, WhereTheSameIsPaintedNothingIsCopied) {
-  for (int i = 0; i < 4; ++i) expect_shown(target_);
+  fill_all();
   Target same = target_;
   buffers_.note_change(&target_, same);
   paint(same, 1, 1, 0.8F);  // not noted

@@ -71,13 +71,13 @@ TEST_F(WorkbenchPicturesTest, ThePictureIsAnotherOnlyWhereTheLightsAre) {
       const auto now = look();
       LUM_ASSERT_OK(const Image made, bench_->session().stage().renderer->render(*now->shown));
       EXPECT_EQ(now->picture->data, made.data);
-      stayed += now->picture == last->picture ? 1 : 0;
+      stayed += live && now->picture == last->picture ? 1 : 0;
       EXPECT_TRUE(live || now->picture == last->picture);
       last = now;
     }
     LUM_EXPECT_OK(bench_->end_stroke());
   }
-  EXPECT_GE(stayed, 12);
+  EXPECT_GT(stayed, 0) << "not every event finds other lights";
 }
 
 TEST_F(WorkbenchPicturesTest, ASmallerPictureFollowsTheBrushAndAFullOneComesWhenItRests) {

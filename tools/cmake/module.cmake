@@ -1,7 +1,9 @@
-# luminist_module(NAME DEPS other modules... [LIBS public libraries...] [PRIVATE_LIBS libraries...] [TEST_SHARDS n])
+# luminist_module(NAME DEPS other modules... [LIBS public libraries...] [PRIVATE_LIBS libraries...] [TEST_SHARDS n]
+#                 [SANITIZE_O0])
 #
 # The only declaration of a module. It builds src/NAME/*.cpp into the library lum_NAME, builds tests/NAME/*_test.cpp
 # into the executable NAME_test and registers it with ctest, in n parts that run side by side: NAME, NAME.2, ...
+# SANITIZE_O0: no sanitized test waits for its loops, so that it is compiled without optimization there, in half the time.
 # tools/check_layers.py reads the DEPS of the same line.
 function(luminist_options target)
   target_include_directories(${target} PUBLIC ${CMAKE_SOURCE_DIR}/src)
@@ -21,7 +23,7 @@ endfunction()
 # For a target in tests/: what they compute with is in the modules, so they are compiled fast rather than to be fast.
 function(luminist_test_options target)
   luminist_options(${target})
-  target_compile_options(${target} PRIVATE -O1)
+  target_compile_options(${target} PRIVATE -O0)
 endfunction()
 
 # luminist_tests(NAME MODULE [n]): tests/NAME/*_test.cpp, of the library lum_MODULE, as the executable NAME_test, in n
@@ -51,10 +53,13 @@ function(luminist_tests name module)
 endfunction()
 
 function(luminist_module name)
-  cmake_parse_arguments(M "" "TEST_SHARDS" "DEPS;LIBS;PRIVATE_LIBS" ${ARGN})
+  cmake_parse_arguments(M "SANITIZE_O0" "TEST_SHARDS" "DEPS;LIBS;PRIVATE_LIBS" ${ARGN})
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_SOURCE_DIR}/src/${name}/*.cpp)
   add_library(lum_${name} STATIC ${sources})
   luminist_options(lum_${name})
+  if(LUMINIST_SANITIZE AND M_SANITIZE_O0)
+    target_compile_options(lum_${name} PRIVATE -O0)
+  endif()
   list(TRANSFORM M_DEPS PREPEND lum_)
   target_link_libraries(lum_${name} PUBLIC ${M_DEPS} ${M_LIBS} PRIVATE ${M_PRIVATE_LIBS})
 
