@@ -17,8 +17,7 @@ class PaintedBuffers {
   void note(const PixelBox& changed);
   /// All of it may be.
   void note_all();
-  /// Another target takes the place of the one that was noted until now (null: of none that is known). cost O(pixels),
-  /// a third of a copy of them where both are the same.
+  /// Another target takes the place of the one that was noted until now (null: of none that is known). cost O(pixels)
   void note_change(const Target* before, const Target& now);
   /// The target as it is now. cost O(pixels that changed), of all if every buffer is held.
   std::shared_ptr<const PaintedPictures> show(const Target& target);

@@ -1,9 +1,9 @@
-// A monkey at the session: gestures at random, most of them senseless. LUMINIST_MONKEY_ACTIONS says how many.
+// A monkey at the session: gestures at random, most of them senseless.
 #include <fmt/format.h>
 
-#include <cstdlib>
 #include <random>
 
+#include "monkey/gestures.h"
 #include "studio/paint_layers.h"
 #include "studio/session_fixture.h"
 #include "studio/shot_view.h"
@@ -12,13 +12,6 @@
 
 namespace luminist {
 namespace {
-
-constexpr int kActions = 400;  // the workbench's monkey does more
-
-int actions() {
-  const char* asked = std::getenv("LUMINIST_MONKEY_ACTIONS");
-  return asked != nullptr ? std::atoi(asked) : kActions;
-}
 
 class SessionMonkeyTest : public SessionTest {
  protected:
@@ -112,12 +105,12 @@ class SessionMonkeyTest : public SessionTest {
     return options;
   }
 
-  std::mt19937 random_{1};
+  std::mt19937 random_{seed_asked_for()};
 };
 
 TEST_F(SessionMonkeyTest, AllItsGesturesAreUndoneAndDoneAgain) {
   const std::string start = hash();
-  const int count = actions();
+  const int count = gestures_asked_for(400);  // the workbench's monkey does more
   for (int i = 0; i < count; ++i) {
     act();
     if (i == count / 2) LUM_EXPECT_OK(session_->save_as(folder_.path() / "monkey.lum"));

@@ -1,9 +1,9 @@
 // A monkey at the workbench: gestures at random as a window offers them, strokes event by event.
-#include <cstdlib>
 #include <random>
 
 #include <fmt/format.h>
 
+#include "monkey/gestures.h"
 #include "studio/paint_layers.h"
 #include "studio/workbench.h"
 #include "studio/workbench_fixture.h"
@@ -152,16 +152,10 @@ void monkey(Workbench& bench, std::mt19937& random, const Stroke& stroke, const 
 
 using WorkbenchMonkeyTest = WorkbenchTest;
 
-int asked_for(const char* variable, int otherwise) {
-  const char* wanted = std::getenv(variable);
-  return wanted != nullptr ? std::atoi(wanted) : otherwise;
-}
-
-/// 2,000 gestures; LUMINIST_MONKEY=100000 for as many, LUMINIST_MONKEY_SEED=2 for others.
 TEST_F(WorkbenchMonkeyTest, AllItsGesturesAreUndoneAndDoneAgain) {
-  const int gestures = asked_for("LUMINIST_MONKEY", 2000);
+  const int gestures = gestures_asked_for(2000);
   const std::string start = document_hash();
-  std::mt19937 random(static_cast<unsigned>(asked_for("LUMINIST_MONKEY_SEED", 1)));
+  std::mt19937 random(seed_asked_for());
   Stroke stroke = light_strokes().strokes.front();
   for (int i = 0; i < gestures; ++i) {
     monkey(*bench_, random, stroke, folder_.path());

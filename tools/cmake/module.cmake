@@ -26,6 +26,12 @@ function(luminist_test_options target)
   target_compile_options(${target} PRIVATE -O0)
 endfunction()
 
+# For a test that renders with tests/solve/fake_renderer.cpp, which computes: compiled to be fast, too.
+function(luminist_fake_renderer target)
+  target_sources(${target} PRIVATE ${CMAKE_SOURCE_DIR}/tests/solve/fake_renderer.cpp)
+  target_compile_options(${target} PRIVATE -O1)
+endfunction()
+
 # luminist_tests(NAME MODULE [n]): tests/NAME/*_test.cpp, of the library lum_MODULE, as the executable NAME_test, in n
 # parts.
 function(luminist_tests name module)
